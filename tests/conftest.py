@@ -7,8 +7,8 @@ A test belongs to one of four tiers (`support/tiers.py`):
     process    child processes, TeX, pandoc, Chromium, Dask
     slow       what else takes long, as measured
 
-`pytest` runs what it is asked to run. `make test` runs the first tier and a twentieth of the others, another one every
-day (`--part today`); `make test-all` runs everything.
+`pytest` runs what it is asked to run. `make test` runs the first tier, one short test of each slow function, and a
+twentieth of the others, another one every day (`--part today`); `make test-all` runs everything.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import os
 from collections import Counter
 from collections.abc import Callable, Iterator
 from datetime import date
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +30,7 @@ from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from tests.support.chance import QUICK, try_times
 from tests.support.grouping import ByProblem, longest_first, part_of
-from tests.support.tiers import renew, tier_of
+from tests.support.tiers import renew, representatives, tier_of
 
 HERE = Path(__file__).parent
 PARTS = 20
@@ -105,24 +106,30 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    part, left_out = config.getoption("--part"), []
-    for item in items:
-        name = _name(item)
+    part, left_out = config.getoption("--part"), set()
+    names = [_name(item) for item in items]
+    always = representatives(names) if part is not None else set()
+    for item, name in zip(items, names, strict=True):
         tier = tier_of(name)
         if tier is not None:
             item.add_marker(tier)
-        if tier is not None and part is not None and part_of(name, PARTS) != int(part):
-            left_out.append(item)
+            if part is not None and name not in always and part_of(name, PARTS) != int(part):
+                left_out.add(item)
     if left_out:
-        config.hook.pytest_deselected(items=left_out)
-        kept = {*items} - {*left_out}
-        items[:] = [i for i in items if i in kept]
+        config.hook.pytest_deselected(items=[*left_out])
+        names = [name for item, name in zip(items, names, strict=True) if item not in left_out]
+        items[:] = [item for item in items if item not in left_out]
     if hasattr(config, "workerinput"):
-        items[:] = [items[n] for n in longest_first([_name(item) for item in items])]
+        items[:] = [items[n] for n in longest_first(names)]
 
 
 def _name(item: pytest.Item) -> str:
-    return item.path.relative_to(HERE).as_posix() + item.nodeid[item.nodeid.index("::") :]
+    return _below(item.path) + item.nodeid[item.nodeid.index("::") :]
+
+
+@cache
+def _below(path: Path) -> str:
+    return path.relative_to(HERE).as_posix()
 
 
 @pytest.hookimpl(optionalhook=True)  # there is none with `-p no:xdist`

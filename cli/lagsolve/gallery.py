@@ -54,8 +54,8 @@ box.addEventListener("input", search);
 class Card:
     """One problem in the index.
 
-    figure  an `svg` element; empty where there is nothing to draw
-    failed  why there is no page; empty where there is one
+    figure  an `svg` element; empty if there is nothing to draw
+    failed  why there is no page; empty if there is one
     """
 
     entry: shipped.Entry

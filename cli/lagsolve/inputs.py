@@ -38,7 +38,7 @@ def problem_source(name: str) -> Source:
 def problem_path(name: str) -> Path:
     """The file of a problem: the file of that name, or that of a problem of the library.
 
-    Raises ProblemError where the library has none, or several; a file need not exist.
+    Raises ProblemError if the library has none, or several; a file need not exist.
     """
     if library.is_file_name(name):
         return Path(name)
@@ -62,7 +62,7 @@ def _note_file_beside(name: str, path: Path) -> None:
 
 
 def _file_beside(name: str) -> str:
-    """The file that a name without its extension may mean; empty where there is none."""
+    """The file that a name without its extension may mean; empty if there is none."""
     return next((file for file in (f"{name}{e}" for e in library.EXTENSIONS) if os.path.isfile(file)), "")
 
 
@@ -77,7 +77,7 @@ def _meant_by_missing(path: Path) -> str:
 
 
 def _problem_files(folder: Path) -> list[str]:
-    """The names of the problem files in a folder; none where it cannot be read."""
+    """The names of the problem files in a folder; none if it cannot be read."""
     try:
         return [name for name in os.listdir(folder) if name.endswith(library.EXTENSIONS)]
     except (OSError, ValueError):

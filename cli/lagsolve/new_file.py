@@ -151,7 +151,7 @@ TEMPLATE = _template()
 def create(file: str, name: str | None) -> None:
     """Writes the template, or a copy of the shipped problem `name`, and prints the next command.
 
-    Raises ProblemError where the file cannot be written, or there is no such problem; never overwrites a file.
+    Raises ProblemError if the file cannot be written, or there is no such problem; never overwrites a file.
     """
     content = TEMPLATE.encode() if name is None else library.path_of(name).read_bytes()
     if file == "-":

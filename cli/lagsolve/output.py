@@ -245,7 +245,7 @@ def _has_width() -> bool:
 def write_stdout(text: str) -> None:
     """Writes to standard output, at once.
 
-    Raises BrokenPipeError where the reader has gone, ProblemError where standard output cannot be written.
+    Raises BrokenPipeError if the reader has gone, ProblemError where standard output cannot be written.
     """
     if sys.stdout is None:
         raise _unwritable("standard output", "it is closed")

@@ -26,7 +26,7 @@ class Entry:
 
     name       with its topic: `chapter6/ex11-ideal-pendulum`
     asked      the questions of `find`, or those that follow from the rest of the file
-    exercises  what one learns from it; empty where the index does not have it
+    exercises  what one learns from it; empty if the index does not have it
     """
 
     name: str
@@ -54,7 +54,7 @@ class Index:
 
 
 def title_of(path: Path) -> str:
-    """The title of a shipped problem, from the line that begins with `title:`; empty where there is none."""
+    """The title of a shipped problem, from the line that begins with `title:`; empty if there is none."""
     with path.open(encoding="utf-8") as lines:
         return next((line.partition(":")[2].strip().strip("\"'") for line in lines if line.startswith("title:")), "")
 

@@ -140,7 +140,7 @@ def _event(event: Event, simulation: Simulation, units: Units) -> str:
 
 
 def _asked(event: Event, simulation: Simulation, units: Units) -> list[str]:
-    """`theta = 0.841 rad`: the quantity of a question where its condition holds; nothing where it has no number."""
+    """`theta = 0.841 rad`: the quantity of a question where its condition holds; nothing if it has no number."""
     if event.value is None:
         return []
     [quantity] = (q.quantity for q in simulation.equations.problem.questions if q.name == event.name)

@@ -102,7 +102,7 @@ FileState = tuple[tuple[int, ...] | None, ...]
 def watch_for_ever(task: SolveTask, wait: Callable[[], None] = lambda: time.sleep(WATCH_SECONDS)) -> NoReturn:
     """Runs a task, and again after every change of its files, until an exception such as that of Ctrl-C ends it.
 
-    A problem that cannot be read does not end it. Raises BrokenPipeError where the reader of the output has gone.
+    A problem that cannot be read does not end it. Raises BrokenPipeError if the reader of the output has gone.
     """
     from lagsolve.inputs import problem_path
 

@@ -31,7 +31,7 @@ except ImportError:  # Windows
 def bounded(seconds: float | None, megabytes: int | None) -> Iterator[None]:
     """Limits for what is done within the block; None: no limit. Alarms are for the main thread only.
 
-    Raises GaveUpError where not even what is known can be shown.
+    Raises GaveUpError if not even what is known can be shown.
     """
     # The message is made when the limit of memory is lifted: it needs some.
     with allowed_for("reading or printing", float("inf")), _memory(megabytes), _time(seconds):

@@ -24,7 +24,7 @@ _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | get
 
 
 def write_file(path: Path, text: str | bytes, *, follow: bool = True) -> None:
-    """Writes a text, or the bytes of a picture. Raises ProblemError where that is impossible.
+    """Writes a text, or the bytes of a picture. Raises ProblemError if that is impossible.
 
     follow  whether the user named this very file, so that a link is followed and a pipe written to; in a folder that
             others may write to they are replaced

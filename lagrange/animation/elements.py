@@ -116,7 +116,7 @@ class Elements:
 
     @property
     def hidden(self) -> frozenset[str]:
-        """The names of what is not drawn."""
+        """The names of everything that is not drawn."""
         return self.system.hidden
 
     @property
@@ -308,7 +308,7 @@ class Elements:
         return at
 
     def fitted(self, number: float) -> sp.Expr:
-        """A length as a simple multiple of one of the problem, so that it changes with it; else the number."""
+        """A length as a simple multiple of one of the problem's, so that it scales with it; otherwise the number."""
         if abs(number) < 1e-9:
             return sp.S.Zero
         for p in self.system.problem.parameters:

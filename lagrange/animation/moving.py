@@ -520,7 +520,7 @@ class _Maker:
         return [[float(f"{x:.9g}") for x in row] for row in rows]
 
     def _assumed(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-        """What is taken for functions that the file leaves open."""
+        """The sample functions assumed for those that the file leaves unspecified."""
         functions = (f for f in self.solution.problem.functions if f.name not in self.given)
         formal = ((f.name, [sp.Symbol(a, real=True) for a in f.arguments], f.arguments) for f in functions)
         return tuple((Unspecified.of(n, names, *places), self.taken[n]) for n, places, names in formal)
@@ -545,7 +545,7 @@ class _Maker:
                 yield k, force
 
     def _points(self, elements: Elements | None) -> list[int]:
-        """The cells of the particles and mass centres: what leaves a trace."""
+        """The cells of particles and mass centres, which leave traces."""
         if elements is None:
             return []
         return [elements.at(p.position) for p in self.own.configuration.points if p.name not in elements.hidden]

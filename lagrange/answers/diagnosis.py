@@ -223,7 +223,7 @@ class _Search:
         return None
 
     def _may_be(self, term: sp.Expr | None, right: sp.Expr | None) -> bool:
-        """Whether this change is among those that are sought."""
+        """Whether this change is one of those that are looked for."""
         return self._only is None or (term, right) in self._only
 
     @cached_property
@@ -399,7 +399,7 @@ class _Search:
                         yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
 
     def _holds(self, diagnosis: Diagnosis) -> bool:
-        """Whether the change makes the equation right at all states, and leaves an equation of motion."""
+        """Whether the change makes the equation correct at all states and still an equation of motion."""
         changed = self.equation - (diagnosis.term or 0) + (diagnosis.right or 0)
         if not sp.expand(changed).free_symbols & self._accelerations:
             return False
@@ -452,7 +452,7 @@ class _Search:
         return self.states[0].values_of(self._simple_factors)[1]
 
     def _scales_of(self, wanted: Any, term: sp.Expr, derived: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
-        """The factor of a missing term of a derived equation, with its cost: first those that other terms have."""
+        """The factor of a missing term of a derived equation, with its cost; factors of other terms come first."""
         state = self.states[0]
         known, others = self._value_of, terms_of(derived) or ()
         for own, other in product(self.terms, others):

@@ -246,7 +246,7 @@ def _rounded(
     components: Sequence[Sequence[sp.Expr]],
     candidate: ReferenceCandidate,
 ) -> dict[int, DecimalValues]:
-    """The numbers that the decimals of wrong equations stand for, where these make them right."""
+    """The exact numbers that decimals in wrong equations stand for, if these make the equations correct."""
     rounded = {}
     for n, r in enumerate(readings):
         if components[n] and Standing.CONTRADICTS in standings[n] and r.with_decimals:
@@ -482,7 +482,7 @@ def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
 
 
 def _two_mistakes(attempt: _Attempt) -> Explanation | None:
-    """Two mistakes that explain the answer as a whole; None where none are found."""
+    """Two mistakes that explain the answer as a whole; None if none are found."""
     if Standing.NOT_LINEAR in _flat(attempt.standings):
         return None
     from lagrange.answers.models.pairs import explained_by_two
@@ -555,7 +555,7 @@ def _dividing_by_zero(
 
 
 def _mixed(readings: Sequence[Reading], errors: tuple[Diagnostic, ...], notes: tuple[Diagnostic, ...]) -> AnswerVerdict:
-    """The verdict if no set of coordinates has all that the answer uses."""
+    """The verdict if no single set of coordinates covers all that the answer uses."""
     equations = tuple(
         EquationVerdict(r.text, Verdict.UNREADABLE, r.error.diagnostics[0].message if r.error else MIXED_CHOICES)
         for r in readings

@@ -145,7 +145,7 @@ def check_equilibria(
 def _best(
     readings: Sequence[Sequence[Reading]], equilibria: Sequence[Equilibrium], reference: Reference
 ) -> AnswerVerdict | None:
-    """The best of the verdicts in each set of coordinates; None if no set has all that the answer uses."""
+    """The best of the verdicts in each set of coordinates; None if no set covers all that the answer uses."""
     tried = [v for e in equilibria if (v := _tried(readings, e, reference)) is not None]
     return max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict), default=None)
 
@@ -200,7 +200,7 @@ def _on_one_side(
 
 
 def _same_motions(reference: Reference) -> Iterator[tuple[dict[sp.Symbol, sp.Expr], str]]:
-    """What changes a steady motion into one that a book leaves implicit, and the remark on that."""
+    """Substitutions that turn a steady motion into one that books leave implicit, each with a remark."""
     opposite = {v: -v for v in reference.scope.slots.velocities}
     yield opposite, "the same motion in the opposite sense is taken to be meant as well"
     for configuration in (c.system.configuration for c in reference.candidates):

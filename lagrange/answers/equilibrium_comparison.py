@@ -446,14 +446,14 @@ class EquilibriumComparison:
         return together if together or not undecided else None
 
     def _at_one(self, cases: Sequence[_Case]) -> bool | None:
-        """Whether one of several systems holds at its own point, or on a part of what that leaves open."""
+        """Whether one of several systems holds at its own point, or on part of what this point leaves undetermined."""
         verdicts = [self._one_holds(cases), *(self._on_a_part(*case) for case in cases)]
         return True if True in verdicts else None if None in verdicts else False
 
     def _on_a_part(
         self, point: Values, equations: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr]
     ) -> bool | None:
-        """Whether equations hold on a part of what a point leaves open: x = L, where every x is an equilibrium."""
+        """Whether equations hold on part of what a point leaves open: x = L, where every x is an equilibrium."""
         residuals = self._residuals(point, equations, angles)
         if residuals is None:
             return None
@@ -591,7 +591,7 @@ class EquilibriumComparison:
             return None
 
     def _open(self, point: Values, solution: SolutionSet) -> int:
-        """How many unknowns a point leaves open."""
+        """The number of unknowns that a point leaves undetermined."""
         angles = solution.letters.angles
         return sum(u not in point and (u not in angles or angles[u].cosine not in point) for u in self.unknowns)
 

@@ -101,7 +101,7 @@ class Examiner:
 
     @property
     def names_of_questions(self) -> tuple[str, ...]:
-        """The names of what the file asks for: its questions, the coordinates of a response, and frequencies."""
+        """The names of everything the file asks for: its questions, the coordinates of a response, and frequencies."""
         if self.solution is None:
             return ()
         oscillations = any(v.linearization is not None for v in self.solution.views)

@@ -148,7 +148,7 @@ class Advisor:
         return f"one change{times} makes it right: {self._one_change(change, sides, explained)}"
 
     def _one_change(self, change: Diagnosis, sides: Sequence[sp.Expr | Vector], explained: bool) -> str:
-        """The change; what may have been meant by the wrong term only where no cause has been named."""
+        """The change; the term probably intended is named only if no cause has been found."""
         term, right = change.term, change.right
         if term is None:
             assert right is not None
@@ -210,7 +210,7 @@ class Advisor:
 
 
 def _sentences(*parts: str) -> str:
-    """Each part as a sentence, without those that are empty."""
+    """The nonempty parts, each as a sentence."""
     return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
 
 
@@ -246,7 +246,7 @@ class Turn(Enum):
 
 @record
 class Convention:
-    """A coordinate measured in another way: what the answer calls q is `meant` in the problem's coordinate q."""
+    """A coordinate measured differently: the answer's q is `meant` in terms of the problem's q."""
 
     coordinate: sp.Symbol
     turn: Turn

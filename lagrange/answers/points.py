@@ -95,7 +95,7 @@ def points_in_words(points: Fraction) -> str:
 
 
 def score(problem: Problem, judgement: Judgement, required: int | None) -> Score:
-    """The points for an answer. `required` is the number of independent equations; None where they are not counted."""
+    """The points for an answer. `required` is the number of independent equations; None if they are not counted."""
     weights = _weights(problem, None if judgement.statics else required)
     parts = (_of_part(weight, problem, judgement, required) for weight in weights)
     return Score(tuple(parts), bool(problem.points))
@@ -138,7 +138,7 @@ def _of_part(weight: Weight, problem: Problem, judgement: Judgement, required: i
 
 
 def _answer(part: str, judgement: Judgement) -> AnswerVerdict | None:
-    """The verdict on a part; None where it was not answered."""
+    """The verdict on a part; None if it was not answered."""
     of_equations = "equilibrium" if judgement.statics else "reactions" if judgement.reactions else "equations"
     if part == of_equations and judgement.each:
         return judgement.equations

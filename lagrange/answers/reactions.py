@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 def check_reaction(
     fragment: Fragment, reaction: Reaction, reference: Reference, solution: Solution | None = None
 ) -> EquationVerdict | None:
-    """The verdict on the stated value of one reaction; None if no set of coordinates has all that it uses.
+    """The verdict on the stated value of one reaction; None if no set of coordinates covers all that it uses.
 
     If it is right with another meaning of the reaction than in the derivation, a remark names that meaning. Raises
     ProblemError if it cannot be read.
@@ -83,7 +83,7 @@ def _stated(
     reference: Reference,
     judged: Callable[[str, ReactionClaim], Iterator[EquationVerdict]],
 ) -> EquationVerdict | None:
-    """The best verdict over all that may be meant; None if none of it is judged."""
+    """The best verdict over all possible meanings; None if none of them can be judged."""
     text = f"{reaction.name}: {fragment.text}"
     claims = _claims(fragment, reaction, reference)
     if not claims:
@@ -130,7 +130,7 @@ ReactionClaim = tuple[sp.Expr, tuple[str, ...]]
 
 
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[ReactionClaim]:
-    """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
+    """The possible meanings of a claim, that of the derivation first. Raises ProblemError if it cannot be read."""
     from lagrange.answers.written.names import printed_names
     from lagrange.answers.written.reading import tried
     from lagrange.answers.written.values import force_in_si, with_value_in_si

@@ -259,14 +259,14 @@ def _is_linear(equation: sp.Expr, displacements: Sequence[sp.Symbol]) -> bool:
 
 @record
 class ForceMeaning:
-    """ρ, and in words what the name is taken for; empty for what it is in the derivation."""
+    """ρ, and a description of what the name is taken to mean; empty if it agrees with the derivation."""
 
     ratio: sp.Expr
     remark: str
 
 
 def meanings_of_force(reaction: Reaction) -> tuple[ForceMeaning, ...]:
-    """What the name of one reaction may stand for, the meaning of the derivation first."""
+    """The possible meanings of the name of one reaction, that of the derivation first."""
     name, single = reaction.force.name, reaction.single
     same = ForceMeaning(sp.S.One, "")
     opposite = ForceMeaning(sp.S.NegativeOne, _opposite(name, single))

@@ -477,7 +477,7 @@ def _lengths(solution: Solution) -> dict[str, sp.Expr]:
 
 
 def _reactions(solution: Solution) -> dict[str, sp.Expr]:
-    """Multipliers, tensions of rods and the signs that friction leaves open, by name."""
+    """Multipliers, rod tensions, and the signs that friction leaves undetermined, by name."""
     if solution.law is None:
         return {}
     newton = solution.law.newton

@@ -74,7 +74,7 @@ def cleared(equation: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
 def variants(
     term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol], angles: Sequence[sp.Expr]
 ) -> Iterator[tuple[Slip, sp.Expr]]:
-    """The terms that may have been meant, the likeliest first; `angles` are those whose sines may be meant."""
+    """The terms possibly intended, likeliest first; `angles` are those whose sines may occur in them."""
     seen = {term}
     for slip, variant in _all_variants(term, slots, parameters, angles):
         if variant not in seen and variant.is_finite is not False and not variant.has(sp.zoo, sp.nan):

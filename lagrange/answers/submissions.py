@@ -125,7 +125,7 @@ def answer_in_file(
 
 
 def answer_to(examiner: Examiner, source: Source, ending: str) -> tuple[Fragment, ...]:
-    """What a text has that may answer the questions of a problem. Raises ProblemError as `equations_in_file` does."""
+    """The parts of a text that may answer the questions of a problem. Raises as `equations_in_file` does."""
     names = examiner.names_of_questions
     return answer_in_file(source, ending, conditions=examiner.reads_inequalities, names=names)
 
@@ -328,7 +328,7 @@ class Submission:
     """A submission to be graded.
 
     name     its name, which is safe to be shown
-    files    name and content of each file; none where nothing was handed in for this problem
+    files    name and content of each file; none if nothing was handed in for this problem
     notes    what was ignored in it
     problem  which of the problems of an assignment it answers, from 0
     seed     the seed of the student's variant of the problem; empty if the problem is the same for all
@@ -453,7 +453,7 @@ class Grader:
         )
 
     def _checked(self, submission: Submission) -> Judgement | None:
-        """The verdict on all that was handed in; None if there is nothing. Raises ProblemError."""
+        """The verdict on a whole submission; None if it is empty. Raises ProblemError."""
         fragments: list[Fragment] = []
         answers: Answers | None = None
         for name, content in submission.files:

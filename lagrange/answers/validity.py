@@ -64,7 +64,7 @@ class NonzeroCondition:
 
 
 class Factorizations:
-    """The factors of what occurs in the equations of one system, kept from one answer to the next.
+    """The factors of expressions in the equations of one system, kept from one answer to the next.
 
     never  the factors by which the derived equations divide
     """

@@ -232,7 +232,7 @@ class Judgement:
 
     @property
     def choice(self) -> str:
-        """The choice of coordinates in which it was compared; empty for the file's own."""
+        """The choice of coordinates used for the comparison; empty for the file's own."""
         return self.equations.choice
 
     @property
@@ -267,7 +267,7 @@ class Judgement:
         return written
 
     def text(self, width: int, revealed: Sequence[sp.Expr] = ()) -> str:
-        """The verdict in lines of at most `width` characters; words that are wider stand on lines of their own.
+        """The verdict in lines of at most `width` characters; longer words have lines of their own.
 
         revealed  derived equations, each zero, to be shown below it
         """
@@ -343,7 +343,7 @@ def _missing_equations(number: int) -> str:
 
 
 def missing_equilibria(number: int) -> str:
-    """What an incomplete answer about equilibria lacks."""
+    """The equilibria missing from an incomplete answer."""
     return "an equation or a solution is missing" if number <= 1 else f"{number} solutions are missing"
 
 

@@ -37,7 +37,7 @@ WIDTH = 78
 
 @record
 class Grade:
-    """What an answer is worth.
+    """The grade of an answer.
 
     verdict   "equivalent", "wrong", "incomplete", "trivial", "unreadable" or "undecided"
     score     the points by the weights of the problem; None if a person has to look at it
@@ -79,7 +79,7 @@ def grade(problem: str | PathLike[str], answer: str, *, hint: int = 1, seed: str
     seed     the student's seed, for a problem with `vary`
     kind     the extension that a file with this text would have: ".tex", ".md", ".yaml"
 
-    Raises ProblemError where the problem cannot be read or solved.
+    Raises ProblemError if the problem cannot be read or solved.
     """
     text = problem if isinstance(problem, str) else str(Path(problem))
     return grade_source(read_source(Path(text) if is_file_name(text) else path_of(text)), answer, hint, seed, kind)
@@ -95,7 +95,7 @@ def grade_source(problem: Source, answer: str, hint: int = 1, seed: str = "", ki
 
 
 def grade_of(graded: Graded, hint: int) -> Grade:
-    """The grade that the outcome of a submission stands for."""
+    """The grade for the outcome of a submission."""
     return Grade(graded.verdict, graded.points, graded.possible or 1.0, feedback_text(graded.at_hint_level(hint)))
 
 
@@ -147,7 +147,7 @@ def _wrapped(sentence: str, indentation: str) -> list[str]:
 
 
 def variant(source: Source, seed: str) -> Source:
-    """The problem file of the variant that a seed draws. Raises ProblemError where it has no answer, or no `vary`."""
+    """The problem file of the variant that a seed draws. Raises ProblemError if it has no answer, or no `vary`."""
     drawn = variant_source(source, seed)
     problem = read_problem(drawn)
     try:
@@ -163,7 +163,7 @@ def variant(source: Source, seed: str) -> Source:
 
 
 def _unanswered(solved: Report) -> Iterator[str]:
-    """What a solved problem asks for and does not have."""
+    """Messages about what a problem asks for and its solution lacks."""
     yield from (d.message for d in solved.shortcomings)
     solution, values = solved.solution, solved.values
     for asked in solution.asked:

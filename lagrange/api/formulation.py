@@ -199,7 +199,7 @@ class Formulation(Shown):
 
     @property
     def variable_masses(self) -> tuple[VariableMass, ...]:
-        """The particles whose mass varies: `name`, `mass`, `rate`, and the `velocity` of what leaves or joins."""
+        """The particles of variable mass: `name`, `mass`, `rate`, and the `velocity` of the exchanged mass."""
         return self.configuration.variable_masses
 
     @property

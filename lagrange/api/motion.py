@@ -82,7 +82,7 @@ class SimulatedMotion:
         return self.simulation.is_accurate
 
     def __getitem__(self, quantity: str | sp.Expr) -> Any:
-        """The values of a quantity along the motion, shape (N,). Raises KeyError where it is not known."""
+        """The values of a quantity along the motion, shape (N,). Raises KeyError if it is not known."""
         states = self.simulation.equations
         if isinstance(quantity, str):
             known = {**states.conserved, **states.reactions}
@@ -140,7 +140,7 @@ class SimulatedMotion:
         return phase_plane(self.simulation, coordinates[name])
 
     def animate(self, frames: int = 200) -> Any:
-        """The points, rods and springs in motion: a `FuncAnimation`, which a notebook shows by itself."""
+        """The points, rods and springs in motion: a `FuncAnimation`, which notebooks display automatically."""
         require("matplotlib")
         from lagrange.programs.plots import animated
 

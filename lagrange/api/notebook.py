@@ -47,7 +47,7 @@ class Equations(Shown, tuple[Any, ...]):
         return made
 
     def __getnewargs__(self) -> tuple[tuple[Any, ...], Notation]:
-        """What a copy is made from."""
+        """The arguments from which a copy is made."""
         return tuple(self), self.notation
 
     def _repr_html_(self) -> str | None:
@@ -140,7 +140,7 @@ def problem_in_html(problem: Problem) -> str:
 
 
 def figure_of(derivation: Derivation, choice: str) -> Picture | None:
-    """The picture of the system in a choice of coordinates; in the file's own, where it has none of its own."""
+    """The picture of the system in a choice of coordinates; the picture for the file's own if it has none."""
     pictures: dict[str, Picture] = {}
     for step in derivation.steps:
         if step.rule in (Rule.STATEMENT, Rule.GENERALIZED_COORDINATES):

@@ -102,7 +102,7 @@ class RightHandSide:
         self._solved, self._listed = (_in_arrays if module == "numpy" else _in_lists)()
 
     def __call__(self, time: float, y: FloatVector) -> Any:
-        """dy/dt, shape (n + p,), or for N states at once (n + p, N)."""
+        """dy/dt, shape (n + p,), or (n + p, N) for N states at once."""
         if self._in_numpy and _is_table(y):
             return _for_each(self, time, y)
         rates, matrix, right, _ = self._parts(time, y)

@@ -205,7 +205,7 @@ class Result(Shown):
         choice     the coordinates; by default those in which the motion is best integrated, `""` for the file's own
         samples    the number of times
 
-        What nobody has given is assumed, and listed in `assumed`. Raises ProblemError where the initial values
+        What nobody has given is assumed, and listed in `assumed`. Raises ProblemError if the initial values
         contradict each other or something is missing, ValueError at a name that does not exist.
         """
         from lagrange.api.motion import simulated_motion

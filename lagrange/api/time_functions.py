@@ -42,7 +42,7 @@ TIME = sp.Symbol("t")
 
 
 def in_functions_of_time(expression: sp.Expr, slots: Slots, time: sp.Symbol = TIME) -> sp.Expr:
-    """An expression of slots in functions of time; derivatives are not carried out further.
+    """An expression of slots as an expression of functions of time; derivatives stay unevaluated.
 
     slots  the coordinates and prescribed motions that become functions of `time`; all other symbols stay symbols
     """
@@ -122,7 +122,7 @@ class SympyReader:
         return self._rate(value, len(name) - len(plain))
 
     def _rate(self, value: sp.Expr, order: int) -> sp.Expr:
-        """A total time derivative, as far as in a text: two of a coordinate, four of a prescribed motion."""
+        """A total time derivative, as in texts: up to q'' of a coordinate, up to the fourth of a prescribed motion."""
         arithmetic = BoundedArithmetic(self.scope.slots)
         try:
             for _ in range(order):

@@ -95,7 +95,7 @@ class Allowance:
         self._next_look = max(units - UNITS_BETWEEN_LOOKS, 0)
 
     def spend(self, units: float) -> None:
-        """Takes units away. Raises GivenUpError where there are none left, or too much memory is in use."""
+        """Takes units away. Raises GivenUpError if there are none left, or too much memory is in use."""
         self.left -= units
         if self.left < self._next_look:
             if self.left < 0:
@@ -117,7 +117,7 @@ _counting = False
 
 
 class allowed:  # noqa: N801, used as a function is
-    """The allowance for what is done within the block; one that is within another has units of its own."""
+    """The allowance for work within the block; a nested one has units of its own."""
 
     def __init__(self, units: float, *, steps: int = STEPS_PER_UNIT) -> None:
         _count_work()
@@ -167,17 +167,17 @@ def unlimited() -> Iterator[None]:
 
 
 class Attempts:
-    """Pieces of work one after the other: one that takes too much is left out, and those after it are done.
+    """Consecutive pieces of work: one that takes too long is skipped, and those after it are still done.
 
     Together they have so many units, and none has more than half of what is left; each has `least`, at least.
-    why_not   of the last piece that was left out; empty where there is none
+    why_not   of the last piece that was left out; empty if there is none
     """
 
     def __init__(self, units: float, least: float) -> None:
         self.left, self.least, self.why_not = units, least, ""
 
     def __call__(self, work: Callable[P, T], *values: P.args, **named: P.kwargs) -> T | None:
-        """What `work` returns; None where it is left out."""
+        """The result of `work`; None if it is skipped."""
         attempt = allowed(max(self.left / 2, self.least))
         try:
             with attempt:
@@ -198,7 +198,7 @@ class Attempts:
 
 @contextmanager
 def allowed_for(stage: str, units: float) -> Iterator[None]:
-    """`allowed`, for work of which no part is kept. Raises GaveUpError, also where memory runs out."""
+    """`allowed`, for work whose partial results are discarded. Raises GaveUpError, also if memory runs out."""
     try:
         with allowed(units):
             yield
@@ -212,14 +212,14 @@ def reason(stop: BaseException) -> str:
 
 
 def spend(units: float) -> None:
-    """Takes units from the current allowance, if there is one. Raises GivenUpError."""
+    """Deducts units from the current allowance, if any. Raises GivenUpError."""
     allowance = _current.get()
     if allowance is not None:
         allowance.spend(units)
 
 
 def remembered() -> dict[object, Any]:
-    """What is kept until the current allowance ends; forgotten at once where there is none."""
+    """A store that lasts until the current allowance ends; an empty one without an allowance."""
     allowance = _current.get()
     return {} if allowance is None else allowance.remembered
 
@@ -240,14 +240,14 @@ def kept_result(function: Callable[[Argument], Result]) -> Callable[[Argument], 
 
 
 def ensure(units: float) -> None:
-    """Raises GivenUpError where so many units would be too many, before what takes them is begun."""
+    """Raises GivenUpError if so many units would be too many, before what takes them is begun."""
     allowance = _current.get()
     if allowance is not None and units > allowance.left:
         allowance.spend(units)
 
 
 class _Steps:
-    """The steps that are left until they are taken from the allowance, many at once."""
+    """Steps counted one by one and charged to the allowance many at a time."""
 
     left = STEPS_AT_ONCE
 

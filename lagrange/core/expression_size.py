@@ -232,7 +232,7 @@ def distinct_parts(expressions: Iterable[sp.Basic]) -> Iterator[sp.Basic]:
 
 
 def count_distinct(expressions: Iterable[sp.Expr]) -> int:
-    """How many different parts some expressions have: what a program takes that evaluates each of them once."""
+    """The number of distinct subexpressions: the cost for a program that evaluates each of them once."""
     return sum(1 for e in distinct_parts(expressions) if e.args)
 
 
@@ -244,7 +244,7 @@ def _of_sum(e: sp.Expr, rest: list[sp.Expr]) -> int:
 
 
 def _of_product(e: sp.Expr, rest: list[sp.Expr]) -> int:
-    """Its sign, one division by all that is below the line, and one multiplication between two factors."""
+    """The operations of a product: its sign, one division by the denominator, a multiplication between factors."""
     number, factors = e.as_coeff_mul()
     if not number.is_Rational or not all(_has_plain_exponent(f) for f in factors):
         return int(e.count_ops())
@@ -279,5 +279,5 @@ def _is_negative(term: sp.Expr) -> bool:
 
 
 def _has_plain_exponent(factor: sp.Expr) -> bool:
-    """Whether it is clear on which side of the line a factor stands."""
+    """Whether it is clear if a factor belongs to the numerator or the denominator."""
     return not isinstance(factor, sp.exp) and factor.is_commutative and (not factor.is_Pow or factor.exp.is_Rational)

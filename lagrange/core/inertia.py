@@ -26,7 +26,7 @@ NO_PRODUCTS = (ZERO, ZERO, ZERO)
 
 @record
 class InertiaTensor:
-    """J: its diagonal, and what stands off it, J_23, J_31, J_12."""
+    """J: its diagonal, and its off-diagonal elements J_23, J_31, J_12."""
 
     moments: Three
     products: Three = NO_PRODUCTS

@@ -55,7 +55,7 @@ def printable(text: str) -> str:
 
 
 def json_text(value: Any, indent: int | None = None) -> str:
-    """A value as JSON in which no hidden character stands for itself."""
+    """A value as JSON in which every hidden character is escaped."""
     import json  # messages do without
 
     written = json.dumps(value, ensure_ascii=False, indent=indent)

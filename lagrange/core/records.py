@@ -6,7 +6,7 @@ classes is a tenth of what a short run takes beyond importing SymPy. Here the me
 class are looked at when its first record is made (a short run makes records of every third class). `__init__` is
 compiled only for arguments that do not fit, so that they are refused in Python's own words, and for `help`.
 
-Three-valued verdicts: True, False, or None where a question is undecided.
+Three-valued verdicts: True, False, or None if a question is undecided.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Made = TypeVar("Made")
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def record(cls: type[Made]) -> type[Made]:
-    """Make a class a record. Methods that the class defines itself are kept."""
+    """Make a class a record. Methods defined in the class itself are kept."""
     made: Any = cls
     for name, method in _SHARED.items():
         if name not in vars(cls):
@@ -40,7 +40,7 @@ def record(cls: type[Made]) -> type[Made]:
 
 
 class _WhenFirstAsked:
-    """The fields of a class, instead of what `dataclass` computes when they are first asked for."""
+    """The fields of a class, determined on first access and not when the class is created."""
 
     def __init__(self, cls: type) -> None:
         self.cls = cls

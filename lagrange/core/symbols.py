@@ -368,7 +368,7 @@ def _by_chain_rule(e: sp.Basic, of: Callable[[sp.Basic], sp.Expr], rate: Callabl
 
 
 class Inert(sp.Expr):
-    """An operation that is printed and not carried out."""
+    """An operation that is printed unevaluated."""
 
     is_commutative = True
 
@@ -382,11 +382,11 @@ class CrossProduct(Inert):
 
 
 class Partial(Inert):
-    """∂e/∂x, for printing a derivative before it is carried out."""
+    """∂e/∂x, for printing a derivative before it is evaluated."""
 
 
 class TimeDerivative(Inert):
-    """d/dt(e), for printing a total derivative before it is carried out."""
+    """d/dt(e), for printing a total derivative before it is evaluated."""
 
 
 class Wedge(Inert):

@@ -64,7 +64,7 @@ _NUMBER_AND_UNIT = rf"(?s)\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s
 
 
 def near_unit(text: str) -> str | None:
-    """The unit that the first unknown name in a text may be meant for: `deg` of `degg`; None if there is none."""
+    """The unit probably intended by the first unknown name in a text: `deg` for `degg`; None if there is none."""
     names = [n for n in re.findall(r"[A-Za-zΩ°µμ]+", text) if _named(n) is None]
     return nearest(names[0], [*WITH_PREFIX, *WITHOUT_PREFIX]) if names and len(names[0]) > 2 else None
 
@@ -111,7 +111,7 @@ class _Reader:
         self.at = 0
 
     def product(self) -> Unit | None:
-        """A product; None where it is no unit. `/m` is 1/m."""
+        """A product; None if it is no unit. `/m` is 1/m."""
         total = NUMBER if self._symbol() == "/" else self._factor()
         divided = False
         while total is not None and self.at < len(self.tokens) and self._symbol() != ")":

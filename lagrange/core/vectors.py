@@ -189,7 +189,7 @@ class Vector:
         return self.rewritten(lambda c: c.xreplace(rule))
 
     def rewritten(self, write: Callable[[sp.Expr], sp.Expr]) -> Vector:
-        """The vector with `write` applied to all that it contains; in i, j, k if that changes its triad."""
+        """The vector with `write` applied to its components; in i, j, k if that changes its triad."""
         directions = self.triad.directions
         if directions is None or directions.applyfunc(write) == directions:
             return self.map(write)
@@ -215,7 +215,7 @@ def _cross(a: Components, b: Components) -> Components:
 
 
 def _common(a: Vector, b: Vector) -> tuple[Vector, Vector]:
-    """Both vectors in one triad: the rotating one if the other is fixed."""
+    """Both vectors in a common triad: the rotating one if the other is fixed."""
     if a.triad == b.triad:
         return a, b
     if a.triad.directions is None:
@@ -249,7 +249,7 @@ def angular_velocity(rotations: Rotations, slots: Slots) -> Vector:
 
 
 def turned_triad(names: tuple[str, str, str], rotations: Rotations, slots: Slots) -> Triad:
-    """The triad carried along by a sequence of rotations."""
+    """The triad obtained by a sequence of rotations."""
     rows = [v.components for v in turned_axes(rotations)]
     turning = _turning(slots, lambda s: _rates(rotations, rotations, lambda angle: angle.diff(s)))
     return Triad(names, sp.ImmutableMatrix(rows), turning)

@@ -100,7 +100,7 @@ Part = str | Math | Ref | Emphasis
 
 @record
 class Prose:
-    """A paragraph; `short` replaces it where little detail is wanted, `purpose` says what it is for."""
+    """A paragraph; `short` replaces it at low levels of detail, `purpose` is its function on the page."""
 
     parts: tuple[Part, ...]
     detail: Detail = Detail.STEPS
@@ -136,6 +136,10 @@ class Display:
         """Those of all equations."""
         return sum(e.operations for e in self.equations)
 
+    def map(self, change: Callable[[Equation], Equation]) -> Display:
+        """The display with `change` applied to each of its equations."""
+        return replace(self, equations=tuple(map(change, self.equations)))
+
 
 @record
 class Table:
@@ -166,7 +170,7 @@ class CheckMark:
 
 @record
 class Picture:
-    """A picture, drawn on demand; None where it cannot be drawn sensibly.
+    """A picture, drawn on demand; None if it cannot be drawn sensibly.
 
     caption  the line below it
     alt      a description in words
@@ -206,6 +210,10 @@ class Step:
     folded: tuple[Part, ...] = ()
     about: str = field(default="", compare=False)
 
+    def map(self, change: Callable[[Equation], Equation]) -> Step:
+        """The step with `change` applied to each of its displayed equations."""
+        return replace(self, body=tuple(b.map(change) if isinstance(b, Display) else b for b in self.body))
+
 
 class MadeWhenRead(Sequence[Step]):
     """Steps that are made when they are first read, and then once."""
@@ -236,10 +244,10 @@ class MadeWhenRead(Sequence[Step]):
 
 @record
 class Derivation:
-    """A whole derivation. No format shows both lists of steps; that which is not shown need not be made.
+    """A whole derivation. No format shows both lists of steps; the one that is not shown need not be built.
 
     steps  everything, in the order of the chapter: what JSON and `--detail full` have
-    page   what is printed by default: the result first, then the shortest way to it; empty where it is `steps`
+    page   what is printed by default: the result first, then the shortest way to it; empty if it is `steps`
     """
 
     title: str
@@ -256,7 +264,7 @@ class Derivation:
 
 
 def referring_to(blocks: Iterable[Block], labels: Mapping[str, str]) -> Iterator[Block]:
-    """The blocks with other labels in their references, also in conditions beside equations."""
+    """The blocks with the labels in their references replaced, including those in conditions beside equations."""
 
     def part(p: Part) -> Part:
         return Ref(labels[p.label]) if isinstance(p, Ref) and p.label in labels else p
@@ -352,7 +360,7 @@ class Purpose(Enum):
 
 
 class Phrase(str):
-    """Words of a paragraph that have a purpose of their own in it.
+    """Words of a paragraph with a purpose of their own.
 
     instead  what a page says in their place where it says less
     """
@@ -381,7 +389,7 @@ def has_purpose(block: Block | None, purpose: Purpose) -> TypeGuard[Prose]:
 
 
 def parts_of(block: Block) -> Iterator[Part]:
-    """What a paragraph, or the conditions of displayed equations, are made of."""
+    """The parts of a paragraph, or of the conditions of displayed equations."""
     if isinstance(block, Prose):
         yield from block.parts
     elif isinstance(block, Display):

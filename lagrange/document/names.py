@@ -267,7 +267,7 @@ _NAMED = re.compile(r"((?:d|delta)\(|)(.*?)('*\)?)", re.DOTALL)
 
 
 class SymbolKind(IntEnum):
-    """What a symbol is."""
+    """The role of a symbol."""
 
     SIGN = 0
     PARAMETER = 1

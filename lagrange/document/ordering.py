@@ -373,7 +373,7 @@ class WritingOrder:
         return (2 if name.indices else 0, self.notation.place(symbol.name))
 
     def signature(self, expression: sp.Basic) -> str:
-        """A text for an expression that does not depend on hashes: it decides where nothing else does."""
+        """A text that represents an expression independently of hashes, for deciding ties."""
         signature = self._signatures.get(expression)
         if signature is None:
             parts = [self.signature(a) for a in expression.args]

@@ -24,7 +24,7 @@ MARGIN = 0.12
 
 
 class StrokeKind(StrEnum):
-    """What a line represents."""
+    """The meaning of a line in a picture."""
 
     ROD = "rod"  # a distance that is kept
     STRING = "string"

@@ -160,7 +160,7 @@ class WideLatex(Latex):
         return Piece(f"{START}{above}{BREAK} / {below}{END}", Precedence.DIVISION)
 
     def absolute(self, inner: Piece) -> Piece:
-        """An absolute value whose bars have a fixed size, so that it can be broken."""
+        """An absolute value with bars of fixed size, so that it can be broken across lines."""
         if BREAK not in inner.code or not is_tall(inner.code):
             return super().absolute(inner)
         return Piece(rf"\biggl\lvert {inner.code} \biggr\rvert")

@@ -206,7 +206,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
 
 
 def explain_exchanged_mass(configuration: Configuration) -> list[Block]:
-    """With what velocity mass leaves or joins a particle, the reactive force, and while what the equations hold."""
+    """The velocity with which mass leaves or joins a particle, the reactive force, and the range of validity."""
     blocks: list[Block] = []
     for m in configuration.variable_masses:
         called = the(m.name)
@@ -231,14 +231,14 @@ def explain_exchanged_mass(configuration: Configuration) -> list[Block]:
 
 
 def _velocity(m: VariableMass) -> tuple[Part, ...]:
-    """With what velocity mass leaves or joins."""
+    """The velocity with which mass leaves or joins."""
     if m.velocity.is_zero:
         return (" and is at rest from then on" if m.leaves else "; until then it is at rest",)
     return (", with the velocity ", math(m.velocity), " relative to it" if m.relative else "")
 
 
 def _reactive(m: VariableMass, force: Vector) -> tuple[sp.Expr | Vector, ...]:
-    """Φ = (dm/dt) (u − v), carried out."""
+    """Φ = (dm/dt) (u − v), evaluated."""
     phi = VectorSymbol(f"Phi_{m.name}")
     if m.relative:
         return phi, force
@@ -265,7 +265,7 @@ def _while(m: VariableMass, configuration: Configuration) -> tuple[Part, ...]:
 
 
 def link_called(name: str, kind: str) -> str:
-    """`spring left`; `upper spring` where the name says so itself."""
+    """`spring left`; `upper spring` if the name already says so."""
     return spoken(name) if spoken(name).endswith(kind) else f"{kind} {spoken(name)}"
 
 

@@ -102,7 +102,7 @@ def _where(places: Sequence[str]) -> str:
 
 
 def _answers(answers: Sequence[tuple[str, str]]) -> list[Block]:
-    """The file's answers: one line for those that agree, one for each that does not."""
+    """The file's answers: one line for those that agree, and one for each that does not."""
     good = [_called(name) for name, verdict in answers if verdict == "equivalent"]
     marks: list[Block] = []
     if good:

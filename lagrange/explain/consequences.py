@@ -196,7 +196,7 @@ def _sleeping(x: SleepingAxis) -> Block:
 
 
 def explain_at_rest(view: InCoordinates) -> Step | None:
-    """What a force says that holds a system at rest in every position."""
+    """The meaning of a force that holds a system at rest in every position."""
     body: list[Block] = []
     alone, curve = without_dependent(view), shape(view)
     if alone is not None:

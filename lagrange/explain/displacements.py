@@ -136,7 +136,7 @@ def _drift(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Block
 
 
 def _relative(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Block]:
-    """v = v_R + w of a particle on a surface that is carried along by a translation with the velocity w(t).
+    """v = v_R + w for a particle on a surface that translates with the velocity w(t).
 
     f(r, t) = 0 with ∂f/∂t + w·∇f = 0 for the same w everywhere is f(r + w dt, t + dt) = f(r, t).
     """
@@ -157,7 +157,7 @@ def _relative(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Bl
 
 
 def _by_time(configuration: Configuration) -> list[Block]:
-    """The part that possible displacements have besides the virtual one where positions contain t."""
+    """The additional part of possible displacements, beyond the virtual one, where positions contain t."""
     moving = _moving_points(configuration)
     if not moving:
         return []
@@ -196,7 +196,7 @@ def displacements_in_choice(elimination: Elimination, configuration: Configurati
 
 
 def solved_displacements(elimination: Elimination, configuration: Configuration) -> list[Block]:
-    """The dependent δq, and where the solution is valid; nothing where the constraints state it already."""
+    """The dependent δq, and where the solution is valid; nothing if the constraints state it already."""
     slots = configuration.slots
     solved = elimination.solved(slots)
     free = [math(variation(slots.coordinates[k])) for k in elimination.independent]

@@ -329,7 +329,7 @@ def explain_motion_in_choice(
 
 
 def explain_matrix_form(motion: Motion, choice: str = "") -> Step | None:
-    """M q'' = f, A q'' = b where there are constraints, q'' where it is solved for; None where there is nothing."""
+    """M q'' = f, A q'' = b if there are constraints, q'' if solved for; None if there is nothing to show."""
     form = motion.matrices
     slots = form.configuration.slots
     mass, force = VectorSymbol("M"), VectorSymbol("f")

@@ -106,7 +106,7 @@ KEEPERS = {
 
 
 def nature(reaction: Reaction) -> list[Prose]:
-    """What maintains a constraint, where the file says so, and the kind of force."""
+    """What maintains a constraint, if the file says so, and the kind of force."""
     by = reaction.constraint.by
     is_said = by in SURFACES if _is_on_surface(reaction) else by in _LIKE and reaction.rod is not None
     called = constraints_called([reaction.name])
@@ -196,12 +196,12 @@ def _by_their_forms(reactions: Sequence[Reaction]) -> list[Prose]:
 
 
 def _is_tension(reaction: Reaction) -> bool:
-    """Whether it is the tension of what keeps a sum of lengths constant, and says itself what that is."""
+    """Whether it is the tension of something that keeps a sum of lengths constant, and describes itself."""
     return reaction.rod is None and reaction.single is not None and reaction.single.kind is ForceKind.TENSION
 
 
 def _is_on_surface(reaction: Reaction) -> bool:
-    """Whether the reaction is said to be normal to what the particle is kept on."""
+    """Whether the reaction is stated to be normal to the surface or curve that the particle is kept on."""
     return reaction.rod is None and reaction.is_normal and bool(reaction.directions)
 
 
@@ -314,7 +314,7 @@ def _not_a_force(reaction: Reaction) -> list[Part]:
 
 
 def _why_no_force(reaction: Reaction) -> str | None:
-    """`has a moment`; None where it is a single force, or the file gives it no name."""
+    """`has a moment`; None if it is a single force, or the file gives it no name."""
     if reaction.given is None or reaction.single is not None:
         return None
     if reaction.others:

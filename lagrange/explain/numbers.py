@@ -214,7 +214,7 @@ def _blocks(
 ) -> Iterator[Block]:
     for block in step.body:
         if isinstance(block, Display) and any(_is_found_in_numbers(e) for e in block.equations):
-            block = replace(block, equations=tuple(_measured_there(e, values, digits, bare) for e in block.equations))
+            block = block.map(lambda e: _measured_there(e, values, digits, bare))
         yield block
         if isinstance(block, Display) and block.boxed:
             possible = [e for e in block.equations if e.label not in excluded]
@@ -236,10 +236,10 @@ def _blocks(
 
 
 def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Block:
-    """The box at the head, and constant accelerations, with the number beside each quantity that has one."""
+    """The box at the head, and constant accelerations, with the numerical value of each quantity that has one."""
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_with_value(e, values, digits, bare, angles) for e in block.equations))
+    return block.map(lambda e: _with_value(e, values, digits, bare, angles))
 
 
 def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Equation:
@@ -295,7 +295,7 @@ def _measured_there(equation: Equation, values: Values, digits: int, bare: Colle
 
 
 def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()) -> Equation | None:
-    """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit.
+    """An equation with numbers; None if a value is missing. Of T = 19.62 N the right side has its unit.
 
     bare  sides of equations in which a number hides a unit: only that of the left side is known
     """
@@ -360,7 +360,7 @@ def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
 
 
 def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:
-    """The unit of a result: that of what is on the left, where it is known."""
+    """The unit of a result: that of the left side, if it is known."""
     own = dimension(left, values.units) if left.free_symbols else None
     if own is None:
         return "" if is_bare else right.unit

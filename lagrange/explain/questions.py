@@ -135,7 +135,7 @@ def _asked(question: Question) -> tuple[Part, ...]:
 
 
 def _is_direct(asked: Asked) -> bool:
-    """Whether the answer is what the equations of motion give for the quantity, with nothing to put in."""
+    """Whether the equations of motion give the quantity directly, with nothing to substitute."""
     given = [(u.symbol, u.value) for u in asked.used]
     return len(given) == 1 and given == [(b.lhs, b.rhs) for b in asked.branches]
 
@@ -342,7 +342,7 @@ def _angles(asked: Asked) -> Iterator[Math]:
 
 
 def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits: int = 4) -> Math | None:
-    """θ = 48.19° for cos θ = 2/3, with values substituted; None where it gives no angle by its cosine or the like."""
+    """θ = 48.19° for cos θ = 2/3, with values substituted; None if it gives no angle by its cosine or the like."""
     if not isinstance(b.lhs, sp.cos | sp.sin | sp.tan):
         return None
     angles = [v if values is None else values.put_in(v) for v in b.values]
@@ -351,7 +351,7 @@ def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits
 
 
 def in_degrees(name: sp.Expr, angle: sp.Expr, digits: int) -> Math | None:
-    """θ = 48.19° for an angle that is a number; None where it is not real."""
+    """θ = 48.19° for an angle that is a number; None if it is not real."""
     from lagrange.values.quantities import NotRealError, is_exact, rounded, with_unit
 
     degrees = angle * 180 / sp.pi
@@ -425,7 +425,7 @@ def _dropped(b: AnswerBranch, because: Reason) -> tuple[Part, ...]:
 
 
 def _unanswered(asked: Asked) -> tuple[Part, ...]:
-    """What is known, and what is missing."""
+    """The statement of what is known and what is missing."""
     if asked.integrand is not None:
         return ("No elementary function was found for this integral; with values for all parameters it is found in "
                 "numbers.",)  # fmt: skip

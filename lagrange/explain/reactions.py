@@ -51,7 +51,7 @@ def explain_reactions(
     first: bool = True,
     lost_ones: LongReactions | None = None,
 ) -> Step | None:
-    """The multipliers and the tensions; None where there is nothing to show.
+    """The multipliers and the tensions; None if there is nothing to show.
 
     choice   the name of the choice of coordinates in which they are written
     shorter  whether there are choices, in which they may be shorter
@@ -237,7 +237,7 @@ def pushed_side(reaction: Reaction, gradient: sp.Expr | None = None) -> Prose:
 def explain_reactions_at_rest(
     static: StaticReactions, newton: Newton, own: StaticReactions | None = None
 ) -> Step | None:
-    """The multipliers and tensions at every branch of equilibria; None where there is nothing to show.
+    """The multipliers and tensions at every branch of equilibria; None if there is nothing to show.
 
     own  those in the file's coordinates, if `static` is in others and no step before has shown the equations
     """
@@ -285,7 +285,7 @@ def _labelled(static: StaticReactions) -> bool:
 
 
 def _beginning(static: StaticReactions, newton: Newton, own: StaticReactions | None) -> Iterator[Block]:
-    """The equations that are solved; those with multipliers, where nothing else has shown them."""
+    """The equations to be solved; those containing multipliers if they have not been shown before."""
     suffix = suffix_of(static.configuration.name)
     if suffix and own is None:
         yield prose("In these coordinates the same equations give")

@@ -77,7 +77,7 @@ EVERY_CHOICE = "all"
 class Report:
     """One problem, solved and explained.
 
-    values  of its parameters; None where there are none
+    values  of its parameters; None if there are none
     """
 
     solution: Solution
@@ -212,7 +212,7 @@ def _of_large(make: Attempts, solution: Solution, answers: tuple[AnswerVerdict, 
 
 
 def _later(make: Callable[[], Iterator[Step]], problem: Problem, otherwise: Sequence[Step]) -> MadeWhenRead:
-    """Steps that are not to be shown, made only if they are read after all; they have an allowance of their own."""
+    """Steps that are not shown, built only on access, with an allowance of their own."""
 
     def made() -> tuple[Step, ...]:
         with explained_failures(problem):

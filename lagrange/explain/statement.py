@@ -91,7 +91,7 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
 
 
 def _symbols(problem: Problem) -> list[Block]:
-    """A table of the symbols where the file says what they mean, sentences where it does not."""
+    """A table of the symbols if the file gives their meanings, otherwise sentences."""
     groups: list[Sequence[Coordinate | Parameter]] = [problem.coordinates, problem.parameters]
     explained = [any(x.meaning or x.unit for x in group) for group in groups]
     blocks: list[Block] = [*_listed("coordinate", problem.coordinates)] if not explained[0] else []
@@ -368,7 +368,7 @@ def remarks(solution: Solution, method: Method) -> tuple[Diagnostic, ...]:
 
 
 def _below_kinetic(problem: Problem) -> Iterator[Diagnostic]:
-    """A note on each friction that is smaller at rest than in motion, as far as the file gives values."""
+    """A note on each static friction coefficient below the kinetic one, if the file gives their values."""
     values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     for f in problem.forces:
         if not isinstance(f, Friction) or f.static is None:
@@ -380,7 +380,7 @@ def _below_kinetic(problem: Problem) -> Iterator[Diagnostic]:
 
 
 def _open_senses(problem: Problem, configuration: Configuration) -> Iterator[Diagnostic]:
-    """A note on each spring on a line of which the file leaves open in which sense it lies."""
+    """A note on each spring along a line whose direction the file leaves undetermined."""
     spans = {f.name: f.span for f in problem.forces}
     for s in configuration.springs:
         if s.distance.has(sp.Abs) and s.length != 0:
@@ -390,7 +390,7 @@ def _open_senses(problem: Problem, configuration: Configuration) -> Iterator[Dia
 
 
 def _in_radians(problem: Problem, configuration: Configuration) -> Iterator[Diagnostic]:
-    """A note on each bare number above 2π that occurs in sines and cosines only: degrees were probably meant."""
+    """A note on each bare number above 2π that occurs only in sines and cosines: probably meant as degrees."""
     large = [p for p in problem.parameters if p.value is not None and not p.measured and abs(p.value) > 2 * sp.pi]
     if not large:
         return

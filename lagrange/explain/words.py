@@ -81,7 +81,7 @@ def load_called(name: str, kind: str = "force") -> str:
 
 
 def friction_called(name: str, among: Collection[str]) -> str:
-    """A friction force with its article: `the friction` where there is no other, or else `the friction below`."""
+    """A friction force with its article: `the friction` if it is the only one, otherwise `the friction below`."""
     return "the friction" if len(among) == 1 else f"the friction {spoken(name)}"
 
 
@@ -128,7 +128,7 @@ def suffix_of(choice: str) -> str:
 
 
 def brief(block: Prose, short: Prose) -> Prose:
-    """A paragraph that is shown even where little detail is wanted, `short` in its place."""
+    """A paragraph that is shown at every level of detail, with `short` replacing it at low levels."""
     return replace(block, detail=Detail.BRIEF, short=short.parts)
 
 
@@ -198,7 +198,7 @@ def must_vanish(free: Sequence[Part], clauses: Sequence[Part], *, ending: str = 
 
 
 def in_brackets(clauses: Sequence[Part]) -> tuple[Part, ...]:
-    """` (dividing by m l)`; nothing where there are no clauses."""
+    """` (dividing by m l)`; nothing if there are no clauses."""
     return (" (", *clauses, ")") if clauses else ()
 
 
@@ -212,7 +212,7 @@ def as_stated(condition: Condition) -> Math:
 
 
 def as_given(given: Measured, value: sp.Expr | None = None) -> sp.Expr | None:
-    """A number with its unit, as the file has it: 0.7 m, 40°; None where its letters may be names.
+    """A number with its unit, as the file has it: 0.7 m, 40°; None if its letters may be names.
 
     value  as which it was read, if that is known
     """

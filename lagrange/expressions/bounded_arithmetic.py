@@ -83,7 +83,7 @@ class Constants:
         self._values: dict[sp.Expr, Any] = {sp.pi: +_NUMBERS.pi, sp.E: +_NUMBERS.e}
 
     def value(self, constant: sp.Expr) -> Any:
-        """The value. Raises TooExpensiveError where it is not finite, not real, or hard to tell from 0."""
+        """The value. Raises TooExpensiveError if it is not finite, not real, or hard to tell from 0."""
         value = self._values.get(constant)
         if value is None:
             value = self._values[constant] = self._evaluated(constant)

@@ -32,7 +32,7 @@ class Rewritten(OneEquation):
     latex: bool = False
 
     def span(self, start: int, end: int) -> Span:
-        """The place of characters `start` to `end` in the source; the end of the text may be meant as well."""
+        """The source span of the characters from `start` to `end`; both may be the end of the text."""
         first = self.places[min(start, len(self.text))]
         last = self.places[max(min(end, len(self.text)) - 1, 0)] + 1 if end > start else first
         return self.outer.span(first, max(last, first))

@@ -291,7 +291,7 @@ def _boxes_of_equations(marks: Sequence[LayoutMark], region: Region) -> set[int]
 
 
 class _Trim:
-    """Leaves out what accompanies an equation: spaces, labels, its number, punctuation, words."""
+    """Strips what accompanies an equation: spaces, labels, its number, punctuation, words."""
 
     def __init__(self, text: str, marks: Sequence[LayoutMark]) -> None:
         self.text = text

@@ -272,7 +272,7 @@ class LatexLexer:
     # -- functions and roots ---------------------------------------------------------------------------------
 
     def _function(self, name: str, start: int) -> None:
-        """Read what a function whose name has been read is applied to."""
+        """Read the argument of a function whose name has just been read."""
         scanner, atoms = self.scanner, self.atoms
         name_end = scanner.at
         self.tokens.add(TokenKind.NAME, name, start, name_end)

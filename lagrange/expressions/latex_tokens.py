@@ -145,7 +145,7 @@ class NameReader:
         return self._names.spelled(letter, parts) or spellings(letter, parts)[0]
 
     def stem(self, first: int, last: int) -> Stem | None:
-        """The name between two positions; None where there is anything else."""
+        """The name between two positions; None if there is anything else."""
         scanner = self.scanner
         with scanner.within(first, last):
             stem = self._stem()
@@ -216,7 +216,7 @@ class AtomReader:
     # -- groups ----------------------------------------------------------------------------------------------
 
     def everything(self, first: int, last: int) -> None:
-        """Read all that is between two positions."""
+        """Read everything between two positions."""
         scanner = self.scanner
         with scanner.within(first, last):
             self._factors()

@@ -58,7 +58,7 @@ class TextMeaning:
     # -- scalars ---------------------------------------------------------------------------------------------
 
     def scalar(self, tree: Tree) -> sp.Expr:
-        """The tree as a scalar. Raises ProblemError where it is none."""
+        """The tree as a scalar. Raises ProblemError if it is none."""
         match tree:
             case NumberLiteral(text=text, start=start):
                 if self.scope.decimals is not None and Decimal.is_rounded(text):
@@ -400,7 +400,7 @@ class TextMeaning:
                 return False
 
     def vector(self, tree: Tree) -> Vector:
-        """The tree as a vector. Raises ProblemError where it is none."""
+        """The tree as a vector. Raises ProblemError if it is none."""
         match tree:
             case Name():
                 return self._named_vector(tree)
@@ -429,7 +429,7 @@ class TextMeaning:
         return self._zero_vector(self.scalar(tree), tree, "a scalar")
 
     def _dotted(self, tree: Product) -> tuple[Tree, Tree] | None:
-        """The two vectors of which a product with ⋅ is the scalar product; None where it is none."""
+        """The two vectors of which a product with ⋅ is the scalar product; None if it is none."""
         return self._split_at(tree, "⋅")
 
     def _split_at(self, tree: Product, sign: str) -> tuple[Tree, Tree] | None:

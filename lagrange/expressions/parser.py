@@ -413,7 +413,7 @@ class Parser:
         return self._is_separate(token.text)
 
     def _is_separate(self, name: str) -> bool:
-        """Whether a name is a factor of its own: applied to what follows, or a vector."""
+        """Whether a name is a separate factor: applied to what follows, or a vector."""
         if name in FUNCTIONS or name in OPERATIONS or self._role(name) is Role.VECTOR:
             return True
         return self._peek(1).text == "(" and self._is_applied(name)

@@ -112,7 +112,7 @@ def token_texts(fragment: Fragment, scope: Scope) -> list[str]:
 
 
 def canonical_name(text: str) -> str | None:
-    """The canonical spelling of a name (`θ` is `theta`); None where it cannot be declared."""
+    """The canonical spelling of a name (`θ` is `theta`); None if it cannot be declared."""
     text = text.strip()
     if len(text) > MAX_NAME:
         return None
@@ -381,7 +381,7 @@ def _is_mathematical(word: str, names: Collection[str]) -> bool:
 
 
 def _unit_after(text: str, start: int, names: Collection[str]) -> tuple[int, bool] | None:
-    """Where a unit behind a number ends, and whether it is a compound one; m may be a mass."""
+    """The end of a unit after a number, and whether the unit is compound; m may be a mass."""
     match = _UNIT.match(text, start)
     if match is None or unit_of(match[1]) is None or {*re.findall(r"[A-Za-z]+", match[1])} <= {*names}:
         return None

@@ -26,7 +26,7 @@ OPERATIONS = ("dot", "cross", "norm", "diff")
 
 
 class Role(Enum):
-    """The role of a name, as far as the grammar depends on it."""
+    """The grammatical role of a name."""
 
     UNDECLARED = auto()  # before a parenthesis: d(x), delta(x), or a missing function
     SCALAR = auto()

@@ -26,7 +26,7 @@ from lagrange.mechanics.results import InCoordinates
 
 @record
 class Turning:
-    """Two coordinates seen from turning axes.
+    """Two coordinates relative to rotating axes.
 
     rate       of the velocity on its circle, if `stiffness` is None; otherwise of the axes
     stiffness  k with η'' + k η = 0 in the turning axes

@@ -56,7 +56,7 @@ def _refuse_of_variable_mass(problem: Problem) -> None:
 
 
 def refuse_what_is_not_covered(problem: Problem) -> None:
-    """Raise NotCoveredError or ProblemError if what a problem asks for is not available for such a system."""
+    """Raise NotCoveredError or ProblemError if the problem asks for something unavailable for such a system."""
     _refuse_of_variable_mass(problem)
     for force in (f for f in problem.forces if isinstance(f, Friction)):
         if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:

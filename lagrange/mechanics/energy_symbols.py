@@ -78,7 +78,7 @@ class EnergySymbols:
         return _symbol(f"{self.speeds}_{point}")
 
     def meanings(self, energies: Energies) -> dict[sp.Symbol, sp.Expr]:
-        """What each letter stands for in one set of coordinates."""
+        """The meaning of each letter in one set of coordinates."""
         known = {
             self.kinetic: energies.kinetic,
             self.potential: energies.potential,
@@ -98,7 +98,7 @@ def lagrangian_letter(taken: Collection[str]) -> sp.Symbol:
 
 
 def energy_symbols(solution: Solution) -> EnergySymbols:
-    """The letters that a problem leaves free."""
+    """The letters that a problem leaves free for energies."""
     problem = solution.problem
     chosen = [q.name for c in solution.choices for q in c.configuration.slots.coordinates]
     forces = {c.reaction.name for c in problem.constraints}
@@ -148,7 +148,7 @@ def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
 
 
 def states_potential(solution: Solution) -> bool:
-    """Whether the derivation has a V of its own, that of statics, in which the weights are not."""
+    """Whether the derivation has a separate V, that of statics, which excludes the weights."""
     return solution.own.equilibrium is not None and solution.own.configuration.potential != 0
 
 

@@ -58,7 +58,7 @@ def integrated_speed(form: QuasiVelocityForm, names: Iterable[str]) -> Integrate
 
 
 def integral_over_time(rate: sp.Expr, constant: sp.Symbol) -> sp.Expr | None:
-    """constant + ∫ rate dt; None where the rate is no trigonometric polynomial in t."""
+    """constant + ∫ rate dt; None if the rate is no trigonometric polynomial in t."""
     rate = sp.expand(rate)
     moving = {s for s in rate.free_symbols if s != t and not s.is_positive and not s.is_real}
     if count_operations(rate) > LONGEST_INTEGRATED or moving or any(s.name.endswith("'") for s in rate.free_symbols):

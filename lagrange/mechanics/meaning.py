@@ -248,7 +248,7 @@ def _candidates(symbols: Sequence[sp.Symbol], coupled: bool) -> Iterator[tuple[s
 def _limit(
     equations: Sequence[sp.Expr], parameter: sp.Symbol, to: sp.Expr, view: InCoordinates
 ) -> tuple[sp.Expr, ...] | None:
-    """The equations in the limit; None where they do not become much simpler, or do not determine the motion."""
+    """The equations in the limit; None if they do not become much simpler, or do not determine the motion."""
     accelerations = view.configuration.slots.accelerations
     try:
         there = [_leading(e, parameter) if to == sp.oo else e.xreplace({parameter: to}) for e in equations]
@@ -269,7 +269,7 @@ def _limit(
 
 
 def _only_stops(limit: Sequence[sp.Expr], equations: Sequence[sp.Expr], view: InCoordinates) -> bool:
-    """Whether every equation that the limit changes has come to say no more than that an acceleration is zero."""
+    """Whether every equation affected by the limit now says only that an acceleration is zero."""
     changed = [e for e in limit if not any(sp.expand(e - f) == 0 for f in equations)]
     return all(e in view.configuration.slots.accelerations for e in changed)
 
@@ -290,7 +290,7 @@ def _without_common_factor(e: sp.Expr) -> sp.Expr:
 
 
 def _leading(e: sp.Expr, parameter: sp.Symbol) -> sp.Expr | None:
-    """The coefficient of the highest power of a parameter; None where the expression is no polynomial in it."""
+    """The coefficient of the highest power of a parameter; None if the expression is no polynomial in it."""
     by_power: dict[int, list[sp.Expr]] = {}
     for term in sp.Add.make_args(_expanded(e)):
         coefficient, power = term.as_independent(parameter, as_Add=False)

@@ -229,7 +229,7 @@ def with_known_values(solution: Solution, values: Values) -> Solution:
 
 
 def values_in(solution: Solution) -> Values | None:
-    """The values of the problem that was solved; None where it has none."""
+    """The values of the problem that was solved; None if it has none."""
     values, newton = values_of(solution.problem), unit_of("N")
     if values is None or newton is None or not values.units:
         return values

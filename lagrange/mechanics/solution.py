@@ -87,7 +87,7 @@ def solve(
 
 
 def kinematics_and_law(problem: Problem) -> Solution:
-    """Kinematics and, if the motion is wanted, Newton's law: all that a figure needs."""
+    """Kinematics and, if motion is asked for, Newton's law: all that a figure needs."""
     solution = _kinematics(problem, None, silent)
     if Find.MOTION not in problem.find:
         return solution

@@ -96,7 +96,7 @@ def problem_begun(problem: Problem, found: ImpulsiveMotion) -> Problem:
 
 
 def _within(choice: Choice, persistent: Sequence[Constraint]) -> Choice | None:
-    """The choice without the coordinates that persistent constraints give by the others; None where that fails."""
+    """The choice without the coordinates that persistent constraints give by the others; None if that fails."""
     coordinates, substitute = [*choice.coordinates], dict(choice.substitute or {})
     for c in persistent:
         if c.kinematic or choice.substitute is None:

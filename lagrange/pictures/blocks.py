@@ -91,7 +91,7 @@ class Blocks:
         self.on_wedge: dict[str, Way | None] = {}
 
     def boxes(self) -> None:
-        """Draw wedges and blocks, and note what is carried by some ground."""
+        """Draw wedges and blocks, and record which of them the ground carries."""
         if not (self.system.is_bare and self.system.view.planar):
             return
         self.wedges()

@@ -102,7 +102,7 @@ class CoordinateDrawings:
             self.stiff()
 
     def moves_something(self, q: sp.Symbol) -> bool:
-        """Whether a coordinate by itself moves a particle, and no constraint keeps it at 0."""
+        """Whether a coordinate alone moves a particle, and no constraint keeps it at 0."""
         if abs(self.pose.values[q]) < 1e-3:
             return False
         moved = self.pose.moved(q, 0.3)
@@ -120,7 +120,7 @@ class CoordinateDrawings:
         return [DistanceMark(m.coordinate, minus(m.start, start), minus(m.end, start)) for m in marks]
 
     def is_length(self, q: sp.Symbol) -> bool:
-        """Whether a coordinate is the length of a rod, which is written beside it."""
+        """Whether a coordinate is the length of a rod, which is labelled with it."""
         return any(rod.length == q for _, rod in self.system.rods)
 
     def angle(self, q: sp.Symbol) -> bool:

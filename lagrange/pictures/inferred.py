@@ -114,7 +114,7 @@ class Inferred:
         return len(centres) > 1 and all(math.dist(centres[0], c) < SAME_ON_PAGE for c in centres)
 
     def _kind(self, length: float, q: sp.Symbol, position: Vector) -> StrokeKind | None:
-        """A rod, a string, or None where it may be neither."""
+        """A rod, a string, or None if it may be neither."""
         marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
         lengths = [math.dist(m.centre, m.point) for m in marks if m is not None]
         called = " ".join(f"{c.meaning}" for c in self.system.problem.coordinates if c.symbol != q)
@@ -158,7 +158,7 @@ class Inferred:
                         self._under_pulley([v for _, v in order], [q for q, _ in order])
 
     def hanging(self) -> None:
-        """The strings of what hangs from the rim of a wheel with a fixed centre."""
+        """The strings from which bodies hang, off the rim of a wheel with a fixed centre."""
         field, figure = self.system.problem.gravity, self.system.problem.figure
         if field is None or not self.system.view.planar:
             return

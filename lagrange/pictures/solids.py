@@ -99,7 +99,7 @@ class Solids:
         self.sketch.face([self.system.page(c) for c in corners], shade, self.depth(middle))  # type: ignore[arg-type]
 
     def cone(self, tip: FloatVector, axis: FloatVector, radius: float, height: float) -> None:
-        """A cone that stands on its tip, with its rim."""
+        """A cone standing on its tip, with its rim."""
         page = self.system.page
         base = plus(tip, unit(axis), height)
         if self.system.view.planar:

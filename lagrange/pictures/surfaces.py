@@ -47,9 +47,9 @@ _PLACE: FloatVector = (0.2, 3.3, 1.5)
 
 @record
 class _Surface:
-    """A generic surface or wire, seen from somewhere.
+    """A generic surface or wire, seen from a viewpoint.
 
-    moves  the direction in which it is carried; None where it is at rest
+    moves  the direction in which it is carried; None if it is at rest
     """
 
     view: View

@@ -129,7 +129,7 @@ class _Drawing:
 
     @property
     def hidden(self) -> frozenset[str]:
-        """The names of what is not drawn."""
+        """The names of everything that is not drawn."""
         return self.system.hidden
 
     def flat(self, place: FloatVector) -> PagePoint:
@@ -291,7 +291,7 @@ class _Drawing:
                 self.busy.append(ends)
 
     def joints(self, p: MassPoint) -> None:
-        """The hinges of a plane body; those that do not move are held by the ground."""
+        """The hinges of a plane body; fixed ones are attached to the ground."""
         for joint in self.system.joints.get(p.name, ()):
             at = self.flat(joint)
             self.sketch.hinge(at)

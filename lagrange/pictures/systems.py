@@ -99,7 +99,7 @@ class SystemPicture:
 
     @property
     def is_bare(self) -> bool:
-        """Whether the file draws no bodies by lines of its own."""
+        """Whether the file draws no bodies with lines of its own."""
         figure = self.problem.figure
         return not (figure.lines or figure.circles or figure.curves)
 

@@ -151,7 +151,7 @@ def _reaction(name: str, suffix: str, reaction: str | None, place: Span, context
 def _restricting(
     name: str, lhs: sp.Expr, rhs: sp.Expr, scalar: Scalar, context: LoadContext
 ) -> tuple[sp.Expr, sp.Expr, bool]:
-    """Both sides, and whether a velocity occurs. Raises ProblemError where the equation restricts nothing."""
+    """Both sides, and whether a velocity occurs. Raises ProblemError if the equation restricts nothing."""
     slots = context.scope.slots
     function = lhs - rhs
     used = function.free_symbols
@@ -172,7 +172,7 @@ def _reduced(
 ) -> tuple[list[tuple[sp.Expr, sp.Expr, bool]], Given | None]:
     """Both sides of each constraint to which this one reduces, with whether a velocity occurs, and what the file has.
 
-    The latter is None where nothing had to be reduced. Raises ProblemError where there are several alternatives, or
+    The latter is None if nothing had to be reduced. Raises ProblemError if there are several alternatives, or
     none.
     """
     slots, function = context.scope.slots, lhs - rhs

@@ -57,7 +57,7 @@ def _speed(key: Scalar, node: Node, context: LoadContext) -> sp.Expr:
 
 
 def _check_linear(what: str, value: sp.Expr, node: Node, context: LoadContext) -> None:
-    """Raises ProblemError where it is not linear in the velocities, UndecidedError where that cannot be decided."""
+    """Raises ProblemError if it is not linear in the velocities, UndecidedError where that cannot be decided."""
     velocities = context.scope.slots.velocities
     second = [value.diff(v).diff(w) for n, v in enumerate(velocities) for w in velocities[n:]]
     verdicts = [e == 0 or context.is_zero(e) for e in second]
@@ -163,7 +163,7 @@ _NEW = "a generalized coordinate"
 
 
 def _check_old(items: tuple[Node, ...], chosen: tuple[sp.Symbol, ...], context: LoadContext) -> None:
-    """Raises ProblemError where a choice without a substitution has new coordinates."""
+    """Raises ProblemError if a choice without a substitution has new coordinates."""
     old = context.scope.slots.coordinates
     for item, symbol in zip(items, chosen, strict=True):
         if symbol not in old and old:
@@ -268,7 +268,7 @@ _ORDER = {frame_type: ", ".join(names) for frame_type, names in FRAME_COORDINATE
 
 
 def read_frame(node: Node | None, context: LoadContext) -> Triad | None:
-    """The frame, whose unit vectors join the scope; None where the file has none."""
+    """The frame, whose unit vectors join the scope; None if the file has none."""
     if node is None:
         return None
     triad = context.diagnostics.attempt(lambda: _frame(node, context))
@@ -313,7 +313,7 @@ def _coordinates(section: Section, kind: FrameType, span: Span) -> tuple[Node, .
 
 
 def coordinate(scalar: Scalar, context: LoadContext) -> sp.Symbol:
-    """The coordinate or prescribed motion of a name. Raises ProblemError where none is declared."""
+    """The coordinate or prescribed motion of a name. Raises ProblemError if none is declared."""
     slots = context.scope.slots
     symbols = {s.name: s for s in (*slots.coordinates, *slots.prescribed)}
     name = canonical(scalar.text, symbols)
@@ -327,7 +327,7 @@ def coordinate(scalar: Scalar, context: LoadContext) -> sp.Symbol:
 
 
 def _check_names(triad: Triad, kind: FrameType, symbols: tuple[sp.Symbol, ...], span: Span) -> None:
-    """Raises ProblemError where two unit vectors, or one and a fixed vector, would have the same name."""
+    """Raises ProblemError if two unit vectors, or one and a fixed vector, would have the same name."""
     third = f"e_{symbols[2].name}" if kind is FrameType.CYLINDRICAL else triad.names[2]
     fixed = {"e_x", "e_y", "e_z"} - ({third} if kind is FrameType.CYLINDRICAL else set())
     taken = next((name for name in (*triad.names[:2], third) if name in fixed), None)

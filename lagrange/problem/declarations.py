@@ -61,7 +61,7 @@ def read_unknowns(node: Node | None, names: DeclaredNames, forces: Node | None =
 def _declared(
     node: Node | None, key: str, names: DeclaredNames, read: Callable[[Scalar, Node | None, DeclaredNames], T | None]
 ) -> tuple[T, ...]:
-    """What a list or a mapping of names declares."""
+    """The names declared by a list or a mapping."""
     if node is None:
         return ()
     entries: list[tuple[Node, Node | None]]
@@ -314,7 +314,7 @@ def _standard(function: FunctionDeclaration, taken: set[tuple[sp.Expr, ...]], sc
 
 
 def note_unused(problem: Problem, node: Node | None, report: Callable[[Diagnostic], None]) -> None:
-    """A note of the parameters that appear nowhere: a forgotten spring, or a letter that was meant to be another."""
+    """Notes on parameters that appear nowhere: a forgotten spring, or a misspelt letter."""
     used: set[str] = {name for f in problem.functions for name in f.arguments}
     for f in fields(problem):
         if f.name not in ("parameters", "scope", "slots"):

@@ -32,7 +32,7 @@ class Diagnostics:
         self._muted: list[tuple[Span, int]] = []
 
     def report(self, diagnostic: Diagnostic) -> None:
-        """Adds a diagnostic. Raises EnoughError where there are too many."""
+        """Adds a diagnostic. Raises EnoughError if there are too many."""
         if len(self._collected) >= MOST_COLLECTED:
             raise EnoughError
         self._collected.append(diagnostic)
@@ -47,7 +47,7 @@ class Diagnostics:
         self._muted.append((span, len(self._collected)))
 
     def attempt(self, read: Callable[[], T]) -> T | None:
-        """What `read` returns, or None where it raises ProblemError; its diagnostics are added."""
+        """What `read` returns, or None if it raises ProblemError; its diagnostics are added."""
         try:
             return read()
         except ProblemError as error:

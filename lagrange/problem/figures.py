@@ -139,7 +139,7 @@ class _FigureBeingRead:
         return self.context.diagnostics.attempt(lambda: entries_of(node, f"`{key}`", example)) or ()
 
     def each(self, key: str, read: Callable[[Node], T]) -> list[T]:
-        """The items of a list, those that can be read."""
+        """The items of a list that can be read."""
         node = self.section.get(key)
         if node is None:
             return []
@@ -208,7 +208,7 @@ class _FigureBeingRead:
         )
 
     def word(self, section: Section, default: Drawn) -> Drawn:
-        """What the key `as` says. Raises ProblemError where it is none of the words."""
+        """What the key `as` says. Raises ProblemError if it is none of the words."""
         node = section.get("as")
         if node is None:
             return default

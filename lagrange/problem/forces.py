@@ -266,7 +266,7 @@ class _Entry:
         return point
 
     def slip(self) -> int | Vector | None:
-        """The sense of the slip, +1 or −1, or a vector along it; None where the key is absent."""
+        """The sense of the slip, +1 or −1, or a vector along it; None if the key is absent."""
         node = self.section.get("slip")
         if isinstance(node, Scalar):
             name = canonical(node.text, self.context.scope.vectors)
@@ -279,14 +279,14 @@ class _Entry:
         return along
 
     def refuse_negative(self, value: sp.Expr, key: str, help_: str) -> None:
-        """Raises ProblemError where a value is negative for all parameters, or with the values that they have."""
+        """Raises ProblemError if a value is negative for all parameters, or with the values that they have."""
         with_values = value.xreplace(self.context.values)
         if value.is_negative or with_values.is_negative:
             message = f"`{key}` of {self.what} is negative"
             raise ProblemError(Diagnostic("negative-coefficient", message, self.node(key).span, help=help_))
 
     def sense(self, key: str) -> int | None:
-        """+1 for `positive`, -1 for `negative`; None where the key is absent."""
+        """+1 for `positive`, -1 for `negative`; None if the key is absent."""
         node = self.section.get(key)
         if node is None:
             return None

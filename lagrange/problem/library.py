@@ -47,7 +47,7 @@ def short_names() -> dict[str, str]:
 
 
 def path_of(name: str) -> Path:
-    """The file of the one problem that a name means. Raises ProblemError where there is none, or several."""
+    """The file of the one problem that a name means. Raises ProblemError if there is none, or several."""
     candidates = named(name)
     if len(candidates) == 1:
         return next(iter(candidates.values()))
@@ -63,7 +63,7 @@ def path_of(name: str) -> Path:
 
 
 def topic_hint(name: str) -> str:
-    """What to do where the name is that of a topic; empty where it is not."""
+    """What to do where the name is that of a topic; empty if it is not."""
     topic = name.rstrip("/")
     topics = {n.rpartition("/")[0] for n in entries()}
     return f"`{topic}` is a topic: `lagsolve list {topic}` shows its problems" if topic in topics else ""

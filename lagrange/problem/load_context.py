@@ -63,11 +63,11 @@ FragmentReader = Callable[[Fragment, Scope, list[Diagnostic]], T]
 
 
 class LoadContext:
-    """What is known while a file is being read.
+    """The state of reading a file: what has been declared so far.
 
     things    the names of particles and bodies; `bodies` are those of bodies only
     called    the names of those for which the file has words, with the words
-    points    their positions, by name; None where one could not be read
+    points    their positions, by name; None if one could not be read
     shapes    their shapes, still to be read
     values    the numbers that the file gives to parameters
     without_inertia  the bodies with a mass and without a moment of inertia
@@ -95,7 +95,7 @@ class LoadContext:
         self._sizes: dict[str, int] = {}
 
     def scalar(self, node: Node, what: str, allowed: Allowed, scope: Scope | None = None) -> sp.Expr:
-        """A scalar expression. Raises ProblemError where it cannot be read, or a quantity in it is not allowed."""
+        """A scalar expression. Raises ProblemError if it cannot be read, or a quantity in it is not allowed."""
         fragment = _text(node, what)
         value = self._read(read_scalar, fragment, scope)
         self._check(value, fragment, what, allowed, scope)
@@ -138,7 +138,7 @@ class LoadContext:
     def is_zero(self, expression: sp.Expr) -> bool | None:
         """Whether an expression is identically zero; None where testing it would take too long.
 
-        Raises DivisionByZeroError where it divides by what is identically zero.
+        Raises DivisionByZeroError if it divides by what is identically zero.
         """
         length = expanded_size(expression)
         self._tested += length
@@ -201,7 +201,7 @@ class LoadContext:
     def _check(
         self, value: sp.Expr | Vector, fragment: Fragment, what: str, allowed: Allowed, scope: Scope | None = None
     ) -> None:
-        """Raises ProblemError where an expression contains a quantity that is not allowed."""
+        """Raises ProblemError if an expression contains a quantity that is not allowed."""
         slots = (scope or self.scope).slots
         for part in value.components if isinstance(value, Vector) else (value,):
             refused = first_refused(part, allowed, slots, self.unknowns)
@@ -228,7 +228,7 @@ def _with_advice_on_units(error: ProblemError, fragment: Fragment) -> ProblemErr
 
 
 def _number_with_unit(error: ProblemError, fragment: Fragment) -> str:
-    """`4 ft` of `l*cos(beta) = 4 ft`, where `ft` is not declared; empty where it is no unit after a number."""
+    """`4 ft` of `l*cos(beta) = 4 ft`, where `ft` is not declared; empty if it is no unit after a number."""
     names = {re.split("`", d.message)[1] for d in error.diagnostics[:1] if d.message.startswith("`")}
     found = re.search(r"(?<![\w.])\d+(?:\.\d+)?\s*([A-Za-z°]+)(?![\w'(])", fragment.text)
     return found[0] if found and found[1] in names and unit_of(found[1]) is not None else ""
@@ -328,12 +328,12 @@ class DeclaredNames:
         self._failed: set[str] = set()
 
     def declare(self, scalar: Scalar, what: str) -> str | None:
-        """The canonical spelling of a new symbol, or None where it cannot be one (reported)."""
+        """The canonical spelling of a new symbol, or None if it cannot be one (reported)."""
         name = self.symbol(scalar, what)
         return name if name is not None and self.add(name, what, scalar.span) else None
 
     def symbol(self, scalar: Scalar, what: str) -> str | None:
-        """The canonical spelling of what may be a symbol, or None where it cannot be one (reported)."""
+        """The canonical spelling of what may be a symbol, or None if it cannot be one (reported)."""
         name = self.spelled(scalar, what)
         if name in RESERVED:
             message = f"`{scalar.text}` cannot be the name of {what}: it is {_predefined(name)}"
@@ -342,9 +342,9 @@ class DeclaredNames:
         return name
 
     def add(self, name: str, what: str, span: Span) -> bool:
-        """Declares a name of good spelling; False where it is declared already (reported).
+        """Declares a name of good spelling; False if it is declared already (reported).
 
-        Raises EnoughError where the file declares too many names (reported).
+        Raises EnoughError if the file declares too many names (reported).
         """
         if len(self.declared) >= MAX_NAMES:
             message = f"a problem may declare {MAX_NAMES:,} names"
@@ -363,7 +363,7 @@ class DeclaredNames:
         return False
 
     def spelled(self, scalar: Scalar, what: str) -> str | None:
-        """The canonical spelling of a name, or None where it cannot be one (reported)."""
+        """The canonical spelling of a name, or None if it cannot be one (reported)."""
         read = _tokens(scalar.text)
         if len(read) != 1 or read[0].kind is not TokenKind.NAME:
             message, help_ = _misspelling(scalar.text, read, what)
@@ -403,7 +403,7 @@ class Namespace:
         self._declared: dict[str, Declaration] = {}
 
     def declare(self, scalar: Scalar, what: str) -> str | None:
-        """The canonical spelling of a new name, or None where it cannot be one (reported)."""
+        """The canonical spelling of a new name, or None if it cannot be one (reported)."""
         name = self.names.spelled(scalar, what)
         if name is None:
             return None
@@ -433,7 +433,7 @@ def canonical(text: str, known: Collection[str] = ()) -> str:
 
 
 def names_in(text: str) -> tuple[str, ...]:
-    """The names in a text, in their order and in each spelling that they may have; none where it cannot be read."""
+    """The names in a text, in their order and in each spelling that they may have; none if it cannot be read."""
     return tuple(spelling for token in _tokens(text) if token.kind is TokenKind.NAME for spelling in _spellings(token))
 
 
@@ -460,7 +460,7 @@ def derivatives_in(text: str) -> tuple[tuple[str, int], ...]:
 
 
 def _tokens(text: str) -> list[Token]:
-    """The tokens of a text without the last, which marks its end; none where it cannot be read or is too long."""
+    """The tokens of a text without the last, which marks its end; none if it cannot be read or is too long."""
     if len(text) > MAX_CHARACTERS:
         return []
     try:

@@ -103,7 +103,7 @@ class _BodyBeingRead:
         return self.context.vector(node, f"the position of `{self.name}`")
 
     def at(self, position: Vector) -> Body | None:
-        """The body; None where the rest of it could not be read."""
+        """The body; None if the rest of it could not be read."""
         return None if self._body is None else replace(self._body, position=position)
 
 
@@ -129,7 +129,7 @@ def keep_words(section: Section, name: str, context: LoadContext) -> str:
 
 
 def _words(node: Node, name: str, context: LoadContext) -> str:
-    """The words, checked. Raises ProblemError where they are none, or not for one line of a page."""
+    """The words, checked. Raises ProblemError if they are none, or not for one line of a page."""
     scalar = scalar_of(node, f"`name` of `{name}`")
     words = scalar.text.strip()
     same = next((n for n, c in context.called.items() if c.words.casefold() == words.casefold()), "")
@@ -149,7 +149,7 @@ def _words(node: Node, name: str, context: LoadContext) -> str:
 
 
 def constant(node: Node, what: str, context: LoadContext, allowed: Allowed = CONSTANT) -> sp.Expr:
-    """An expression that is not negative, constant by default. Raises ProblemError where it is not one."""
+    """An expression that is not negative, constant by default. Raises ProblemError if it is not one."""
     value = context.scalar(node, what, allowed)
     if value.xreplace(context.values).is_negative:
         shown = "" if value.is_negative else ", with the values that the file gives"
@@ -232,7 +232,7 @@ def _valued(elements: Three, context: LoadContext) -> Three:
 
 
 def _turned_body(body: Body, section: Section, context: LoadContext) -> Body:
-    """The body with its orientation. Raises ProblemError where that is not clear."""
+    """The body with its orientation. Raises ProblemError if that is not clear."""
     given = tuple(key for way in WAYS_OF_TURNING for key in way if section.has(key))
     planar = len(body.inertia) == 1
     for way, read in zip(WAYS_OF_TURNING, (_with_angle, _with_orientation, _with_axes), strict=True):
@@ -286,7 +286,7 @@ def _with_axes(body: Body, section: Section, context: LoadContext) -> Body:
 
 
 def _check_triad(axes: tuple[Vector, Vector, Vector], node: Node, context: LoadContext) -> None:
-    """Raises ProblemError where axes are not a right-handed triad of unit vectors. What is undecided passes."""
+    """Raises ProblemError if axes are not a right-handed triad of unit vectors. What is undecided passes."""
     wanted = [(axes[m].dot(axes[n]), int(m == n)) for m in range(3) for n in range(m, 3)]
     if any(_differs(value, number, context) for value, number in wanted):
         message = "these axes are not perpendicular unit vectors"
@@ -409,9 +409,9 @@ _LAW = "give the velocity of that mass: `leaves: {relative: -u*j}`, or `gains: {
 
 
 def _exchange(mass: sp.Expr, section: Section, key: Scalar, context: LoadContext) -> Exchange | None:
-    """How a particle loses or gains mass; None where its mass is constant.
+    """How a particle loses or gains mass; None if its mass is constant.
 
-    Raises ProblemError where the mass varies and the file does not say with what velocity mass leaves or joins, and
+    Raises ProblemError if the mass varies and the file does not say with what velocity mass leaves or joins, and
     where what it says contradicts the mass.
     """
     rate = context.scope.slots.time_derivative(mass)

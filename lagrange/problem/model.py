@@ -259,7 +259,7 @@ class Friction:
     `also` names further constraints on the same particle: R is then the resultant, as on a wire in space.
     `at` is the point of a body that touches. `slip` is the sense of the slip along a coordinate, `toward` the direction
     in which the touching point slips or is about to slip; a file gives one of them, or none. `static` is the
-    coefficient at rest, None where the file gives none.
+    coefficient at rest, None if the file gives none.
     """
 
     name: str
@@ -345,7 +345,7 @@ class FigureLine:
 
 @record
 class FigureCircle:
-    """A circle, disc or sphere in a figure; `axis` is None where it lies in the plane of the page."""
+    """A circle, disc or sphere in a figure; `axis` is None if it lies in the plane of the page."""
 
     kind: Drawn
     centre: Vector

@@ -240,7 +240,7 @@ def _part(fragment: Fragment, text: str, start: int) -> Fragment:
 
 
 def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:
-    """The coordinate, or t, as a function of which the quantity is wanted."""
+    """The coordinate, or t, of which the quantity is to be a function."""
     symbol = context.read_quietly(read_scalar, scalar.fragment, scope, [])
     if symbol == t or (symbol.is_Symbol and base(symbol) == symbol and symbol in scope.slots.coordinates):
         return symbol
@@ -255,7 +255,7 @@ _BEFORE = Instant("`before`", "the state just before", "value before the impact"
 
 
 def read_impact(node: Node | None, context: LoadContext, scope: Scope, old: Iterable[Constraint]) -> Impact | None:
-    """The section `impact`; None where there is none.
+    """The section `impact`; None if there is none.
 
     scope  the names that the state before may use
     old    the constraints that act before and after
@@ -285,7 +285,7 @@ def read_impact(node: Node | None, context: LoadContext, scope: Scope, old: Iter
 def with_initial_before(problem: Problem) -> Problem:
     """The problem with `initial` as part of the state before its impact: time begins with the impact.
 
-    Raises ProblemError where the two contradict each other.
+    Raises ProblemError if the two contradict each other.
     """
     impact = problem.impact
     assert impact is not None
@@ -334,7 +334,7 @@ TermWithUnit = tuple[sp.Expr | str, Dimension]
 
 
 def with_dimensions_compared(problem: Problem, note: Note) -> Problem:
-    """The problem, with each `2 m` read as its place demands. Raises ProblemError where two sides cannot be equal."""
+    """The problem, with each `2 m` read as its place demands. Raises ProblemError if two sides cannot be equal."""
     before = () if problem.impact is None else problem.impact.before
     conditions = [c for q in problem.questions for c in q.when]
     stated: list[InitialValue | Condition] = [*problem.initial, *before, *conditions]

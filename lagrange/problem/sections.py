@@ -119,7 +119,7 @@ def kind_of_symbol(symbol: sp.Symbol, slots: Slots, unknowns: Iterable[sp.Symbol
 def first_refused(
     expression: sp.Expr, allowed: Allowed, slots: Slots, unknowns: Iterable[sp.Symbol]
 ) -> tuple[sp.Symbol, AllowedQuantity] | None:
-    """The first symbol that is not allowed in an expression, and its kind; None where all are."""
+    """The first symbol that is not allowed in an expression, and its kind; None if all are."""
     for symbol in sorted(expression.free_symbols, key=lambda s: str(s.name)):
         kind = kind_of_symbol(symbol, slots, unknowns)
         if kind is not None and kind not in allowed.quantities:
@@ -211,12 +211,12 @@ class Section:
         return suggestion(key.text, self.form.names, "keys")
 
     def _entry(self, key: str) -> tuple[Scalar, Node] | None:
-        """A key of the form with its value; None where it is absent."""
+        """A key of the form with its value; None if it is absent."""
         assert key in self.form.names, f"`{key}` is not declared as a key of {self.form.title}"
         return self._values.get(key)
 
     def get(self, key: str) -> Node | None:
-        """The value of a key; None where it is absent. A key without a value is reported, and counts as absent."""
+        """The value of a key; None if it is absent. A key without a value is reported, and counts as absent."""
         entry = self._entry(key)
         if entry is None:
             return None
@@ -258,7 +258,7 @@ class Section:
         return self._values[key][0].span
 
     def text(self, key: str) -> str:
-        """A value that is text, on one line; empty where the key is absent."""
+        """A value that is text, on one line; empty if the key is absent."""
         value = self.section(key)
         if value is None:
             return ""
@@ -267,7 +267,7 @@ class Section:
 
 
 def scalar_of(node: Node, what: str) -> Scalar:
-    """The node as a scalar. Raises ProblemError where it is a list or a mapping."""
+    """The node as a scalar. Raises ProblemError if it is a list or a mapping."""
     if isinstance(node, Scalar):
         if node.is_empty:
             raise ProblemError(Diagnostic("empty-value", f"{what} is empty", node.span, help="write its value"))
@@ -276,19 +276,19 @@ def scalar_of(node: Node, what: str) -> Scalar:
 
 
 def items_of(node: Node, what: str, example: str) -> tuple[Node, ...]:
-    """The items of a list. Raises ProblemError where the node is not a list."""
+    """The items of a list. Raises ProblemError if the node is not a list."""
     if isinstance(node, ListNode):
         return node.items
     raise ProblemError(wrong_kind(node, f"{what} is a list", f"write `{example}`"))
 
 
 def entries_of(node: Node, what: str, example: str) -> tuple[tuple[Scalar, Node], ...]:
-    """The entries of a mapping. Raises ProblemError where the node is not a mapping."""
+    """The entries of a mapping. Raises ProblemError if the node is not a mapping."""
     return mapping_of(node, what, example).entries
 
 
 def mapping_of(node: Node, what: str, example: str) -> MappingNode:
-    """The node as a mapping. Raises ProblemError where it is not one."""
+    """The node as a mapping. Raises ProblemError if it is not one."""
     if isinstance(node, MappingNode):
         return node
     raise ProblemError(wrong_kind(node, f"{what} is a mapping", f"write `{example}`"))

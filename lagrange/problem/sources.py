@@ -14,7 +14,7 @@ from lagrange.problem.limits import MAX_BYTES, READINGS
 
 
 def read_source(path: Path) -> Source:
-    """The text of a file. Raises ProblemError where it cannot be read.
+    """The text of a file. Raises ProblemError if it cannot be read.
 
     What is no regular file is refused: reading a pipe that has no writer would never end. Only what the caller of the
     program has opened for it is read whatever it is: `/dev/stdin`, and `/dev/fd/63`, which a shell makes of `<(...)`.
@@ -41,7 +41,7 @@ _KINDS: tuple[tuple[Callable[[int], bool], str], ...] = (
 
 
 def _opened_by_caller(path: Path) -> bytes:
-    """The bytes of a descriptor that is no regular file; none where the path is something else."""
+    """The bytes of a descriptor that is no regular file; none if the path is something else."""
     if not _DESCRIPTOR.fullmatch(os.fspath(path)) or stat.S_ISREG(os.stat(path).st_mode):
         return b""
     with path.open("rb") as file:
@@ -72,7 +72,7 @@ def _refuse_special(status: os.stat_result) -> None:
 
 
 def decode(data: bytes, name: str) -> Source:
-    """The text that bytes are. Raises ProblemError where they are too many, or not UTF-8."""
+    """The text that bytes are. Raises ProblemError if they are too many, or not UTF-8."""
     if len(data) > MAX_BYTES:
         raise ProblemError(too_large(name))
     try:

@@ -73,7 +73,7 @@ class AnswerReader:
         self.asking = scope_of_questions(self.scope, constraints, choices)
 
     def answers(self, node: Node | None) -> Answers | None:
-        """The section `answers`; None where there is none."""
+        """The section `answers`; None if there is none."""
         if node is None:
             return None
         mapping = self.diagnostics.attempt(lambda: mapping_of(node, "`answers`", "answers: {degrees_of_freedom: 1}"))

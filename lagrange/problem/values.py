@@ -165,7 +165,7 @@ def _number(fragment: Fragment, text: str) -> sp.Expr:
 
 
 def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fragment: Fragment) -> None:
-    """Raises ProblemError where a value contradicts the assumption, or lies outside the range."""
+    """Raises ProblemError if a value contradicts the assumption, or lies outside the range."""
     wrong = {
         Assumption.POSITIVE: not number.is_positive,
         Assumption.NONNEGATIVE: number.is_negative,
@@ -184,7 +184,7 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
 
 
 def measured_in(fragment: Fragment, scope: Scope) -> Measured | None:
-    """`30 deg` or `2.5 m/s` in a place where an expression may stand, in SI units; None if it is no such text."""
+    """`30 deg` or `2.5 m/s`, where an expression may occur, in SI units; None if the text is not of this form."""
     parts = split_number(fragment.text)
     if parts is None or (unit := unit_of(parts[1])) is None or split_number(parts[0]) is not None:
         return None
@@ -257,7 +257,7 @@ _NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "mis
 
 
 def values_of(problem: Problem) -> Values | None:
-    """The values of a problem; None where it has none, so that nothing is loaded for them."""
+    """The values of a problem; None if it has none, so that nothing is loaded for them."""
     numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     return None if not numbers else _values(problem, numbers)
 
@@ -344,7 +344,7 @@ def _dimension(unit: str) -> Dimension:
 
 
 def check_dimensions(problem: Problem) -> None:
-    """Raises ProblemError where the unit of a value does not fit the place of its parameter in the problem."""
+    """Raises ProblemError if the unit of a value does not fit the place of its parameter in the problem."""
     measured = [p for p in problem.parameters if p.measured and p.value_span is not None]
     if not measured:
         return

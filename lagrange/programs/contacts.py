@@ -77,7 +77,7 @@ class Contact:
 def contacts(
     dynamics: Motion, reactions: Collection[Reaction], multipliers: Collection[sp.Symbol]
 ) -> Iterator[Contact]:
-    """The reactions that are watched along a motion; those that are not known are solved for if they are unknowns."""
+    """The reactions monitored along a motion; unknown ones are solved for if they are unknowns of the equations."""
     known, guarded = dynamics.reactions, guards(dynamics, reactions)
     for r in reactions:
         guard = guarded[r.name]

@@ -63,7 +63,7 @@ def drawn_system(solution: Solution, view: InCoordinates) -> tuple[SystemPicture
 
 
 def drawn_position(solution: Solution, view: InCoordinates, configuration: Configuration) -> dict[sp.Symbol, float]:
-    """The numbers of the position that the figure shows; none where there is no figure."""
+    """The numbers of the position that the figure shows; none if there is no figure."""
     system, pose = drawn_system(solution, view)
     pose = pose or general_pose(solution.problem, configuration)
     values = {**(system.pose.values if system else {}), **(pose.values if pose else {})}
@@ -124,7 +124,7 @@ class KnownSense(IntEnum):
 
 
 def slip_speeds(dynamics: Motion | None) -> Iterator[tuple[KnownSense, sp.Expr]]:
-    """The speeds of what slips, positive in the sense in which it is said to; for a slip in a plane its square."""
+    """The slip speeds, positive in the stated direction; for slip in a plane, the square."""
     for f in dynamics.friction_forces if dynamics is not None else ():
         if f.speed is None:
             yield KnownSense.ANY, f.slip.dot(f.slip)
@@ -180,7 +180,7 @@ AMPLITUDE, FREQUENCY = 0.3, 2.0
 
 
 def samples(solution: Solution) -> SampleFunctions:
-    """What is taken for each function of the problem that has no value."""
+    """The sample functions assumed for functions of the problem without a given value."""
     configuration = solution.own.configuration
     relations = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
     bound = {f.name for r in relations for f in r.atoms(Unspecified)}
@@ -221,6 +221,6 @@ def _component(configuration: Configuration, name: str) -> sp.Expr | None:
 
 
 def oscillation(u: sp.Symbol, drawn: Mapping[sp.Symbol, float]) -> sp.Expr:
-    """What is taken for a prescribed motion u(t): an oscillation about its place in the figure."""
+    """The sample motion assumed for a prescribed motion u(t): an oscillation about its value in the figure."""
     mean, size, rate = (sp.Float(f"{x:.6g}") for x in (drawn.get(u, 0.5), AMPLITUDE, FREQUENCY))
     return sp.Add(mean, size * sp.sin(rate * t))

@@ -175,7 +175,7 @@ class _Affine:
         self._known: dict[sp.Expr, tuple[sp.Expr, Mapping[sp.Symbol, sp.Expr]]] = {}
 
     def of(self, e: sp.Expr) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Expr]]:
-        """What is left at 0, and the coefficient of each symbol that occurs."""
+        """The value of an expression at 0, and the coefficient of each symbol that occurs."""
         if e not in self._known:
             self._known[e] = self._taken_apart(e)
         return self._known[e]

@@ -83,7 +83,7 @@ def steps(
 ) -> Iterator[IntegrationStep]:
     """The steps from the start to the end; a state that is sent back replaces the one at the end of the step.
 
-    Raises StoppedError where steps become too short or too many.
+    Raises StoppedError if steps become too short or too many.
     """
     make_step = _functions(len(state))[0]
     time, slope = start, _first(rate, start, state)

@@ -425,7 +425,7 @@ class ProgramNames:
 
 
 def legal_name(name: str) -> str:
-    """A name of letters, digits and underscores that begins with a letter; empty where there is none."""
+    """A name of letters, digits and underscores that begins with a letter; empty if there is none."""
     plain = name.rstrip("'")
     dots = len(name) - len(plain)
     spelled = "".join(_spelled(c) for c in plain)

@@ -47,7 +47,7 @@ class NumericalSystem:
 
     @property
     def slips(self) -> tuple[sp.Expr, ...]:
-        """Of the expressions with a sign those that are no reactions: speeds of slip."""
+        """The signed expressions that are not reactions: slip speeds."""
         return tuple(e for e in self.signs if e not in self.states.signs.values())
 
     def with_signs(self, signs: Mapping[sp.Expr, int]) -> NumericalSystem:
@@ -62,7 +62,7 @@ class NumericalSystem:
 
     @cached_property
     def rate(self) -> RateFunction:
-        """dy/dt, called with t and the components of y. Raises ArithmeticError where it does not exist."""
+        """dy/dt, called with t and the components of y. Raises ArithmeticError if it does not exist."""
         e = self.states.equations
         rates, right = [*map(self._signed, e.rates)], [*map(self._signed, e.right)]
         matrix = [[*map(self._signed, row)] for row in e.matrix]
@@ -163,7 +163,7 @@ class NumericalSystem:
         return self._compiled(self.states.equations.kept)
 
     def projected(self, time: float, state: State) -> State | None:
-        """The state on the constraints next to a state; None where it is there already. Raises ArithmeticError."""
+        """The state on the constraints next to a state; None if it is there already. Raises ArithmeticError."""
         e = self.states.equations
         if not e.kept:
             return None
@@ -215,7 +215,7 @@ class NumericalSystem:
 def _shortest(matrix: Any, right: Any, speeds: int) -> list[float]:
     """The shortest solution where constraints depend on each other in this position: multipliers are then not unique.
 
-    Raises ZeroDivisionError where there is none, or the accelerations are not unique either.
+    Raises ZeroDivisionError if there is none, or the accelerations are not unique either.
     """
     import numpy
 

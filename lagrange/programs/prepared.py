@@ -31,7 +31,7 @@ EXTRA = 'pip install "lagsolve[sim]"'
 
 
 def require(*libraries: str) -> None:
-    """Raises ProblemError where a library of the extra `sim` is missing."""
+    """Raises ProblemError if a library of the extra `sim` is missing."""
     missing = [name for name in libraries if find_spec(name) is None]
     if missing:
         message = (
@@ -67,7 +67,7 @@ def prepared(
 
     complete  whether functions and motions that are not given are taken from samples, so that everything has numbers
 
-    Raises ProblemError where there are none, or the initial values contradict each other.
+    Raises ProblemError if there are none, or the initial values contradict each other.
     """
     require_masses(problem)
     if problem.impact is not None:
@@ -90,7 +90,7 @@ def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Pro
 
 
 def require_masses(problem: Problem) -> None:
-    """Raises ProblemError where nothing could move."""
+    """Raises ProblemError if nothing could move."""
     if not problem.masses and not problem.equations and problem.lagrangian is None:
         message = "nothing moves here: the problem has no masses"
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
@@ -106,7 +106,7 @@ def prepared_solution(
 ) -> Prepared:
     """The same of a problem that has been solved already.
 
-    Raises ProblemError where it has no equations of motion, or the initial values contradict each other.
+    Raises ProblemError if it has no equations of motion, or the initial values contradict each other.
     """
     settings = settings or Settings()
     if solution.given_up:
@@ -141,7 +141,7 @@ def _samples(states: StateEquations, solution: Solution) -> dict[str, sp.Expr]:
 def require_functions(
     states: StateEquations, given: Mapping[str, sp.Expr], cure: str = "`--set '{name}={example}'`"
 ) -> None:
-    """Raises ProblemError where a function that occurs has not been given; `cure` says how to give it."""
+    """Raises ProblemError if a function that occurs has not been given; `cure` says how to give it."""
     missing = [name for name in states.functions if name not in given]
     if not missing:
         return

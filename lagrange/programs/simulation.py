@@ -125,7 +125,7 @@ class Simulation:
     def along(self, expression: sp.Expr) -> Any:
         """The values of an expression of the problem at the times, shape (N,).
 
-        Raises NotCoveredError where it contains something that is not a function of the state.
+        Raises NotCoveredError if it contains something that is not a function of the state.
         """
         return self.system.along(meant(self.equations, expression), self.times, self.states)
 
@@ -178,7 +178,7 @@ def simulated(
 ) -> Simulation:
     """The motion from its start until a time, or until its equations cease to hold.
 
-    Raises NotCoveredError where the equations contain something that has no numbers.
+    Raises NotCoveredError if the equations contain something that has no numbers.
     """
     run = _Run(states, start, until, questions, samples, tolerance)
     run.go()

@@ -43,7 +43,7 @@ class _Call:
 def source_file(states: StateEquations, start: Start, target: Target, name: str = "f") -> str:
     """The text of the file; `name` is that of the function f(t, y, p).
 
-    Raises NotCoveredError where an expression cannot be written, or the program would be very long.
+    Raises NotCoveredError if an expression cannot be written, or the program would be very long.
     """
     if count_distinct(states.expressions) > LONGEST_PROGRAM:
         raise NotCoveredError("a program of so many operations")

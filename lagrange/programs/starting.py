@@ -161,7 +161,7 @@ def start(
     given    numbers for parameters, by name, that replace those of the file
     drawn    the numbers of the position that the figure shows, where they are known already
 
-    Raises ProblemError where initial values contradict each other or the constraints.
+    Raises ProblemError if initial values contradict each other or the constraints.
     """
     problem = states.problem
     assumed: dict[str, float] = {}
@@ -273,7 +273,7 @@ class _Others:
 
     @classmethod
     def of(cls, states: StateEquations, wanted: Sequence[InitialValue]) -> _Others:
-        """The relations through the choices that are needed. Raises ProblemError where a value cannot be used."""
+        """The relations through the choices that are needed. Raises ProblemError if a value cannot be used."""
         known = {*states.equations.slots.coordinates, *states.equations.speeds, *states.configuration.expressed}
         coordinates: dict[sp.Symbol, None] = {}
         places: list[sp.Expr] = []
@@ -328,7 +328,7 @@ def _value(e: sp.Expr, values: FloatValues) -> float:
 
 
 def _refuse(error: float, state: Sequence[float], wanted: Sequence[InitialValue], used: Sequence[InitialValue]) -> None:
-    """Raises ProblemError where no state has the initial values and satisfies the constraints."""
+    """Raises ProblemError if no state has the initial values and satisfies the constraints."""
     if error < LARGEST_CONTRADICTION * (1 + max(map(abs, state), default=0.0)):
         return
     span: Span | None = used[-1].span if used else (wanted[-1].span if wanted else None)

@@ -195,7 +195,7 @@ def state_equations(solution: Solution, choice: str | None = None) -> StateEquat
     Independent coordinates come first: those of a choice that leaves no constraint and no root with two signs, then
     quasi-velocities, then the file's own coordinates with their constraints. `""` is the file's own coordinates.
 
-    Raises ProblemError where there is no such choice, or nothing moves.
+    Raises ProblemError if there is no such choice, or nothing moves.
     """
     if solution.long_equations is not None:
         return _of_long(solution)
@@ -314,7 +314,7 @@ def _idle(name: str, reaction: Reaction, law: NewtonLaw) -> tuple[sp.Expr, sp.Sy
 
 
 def _refuse_accelerations(states: StateEquations) -> None:
-    """Raises NotCoveredError where a force depends on accelerations, so that the equations are not of first order."""
+    """Raises NotCoveredError if a force depends on accelerations, so that the equations are not of first order."""
     accelerations = {prime(v) for v in states.equations.slots.velocities}
     if not accelerations.isdisjoint(_symbols(states.expressions)):
         raise NotCoveredError("a motion whose forces depend on accelerations")

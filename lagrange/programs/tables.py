@@ -2,7 +2,7 @@
 
 A simulated motion as a table of CSV: time, state, reactions and energy, with their units in the header.
 
-Units of SI for the numbers of a motion: m, rad/s, N m; empty where the units of the file do not determine one.
+Units of SI for the numbers of a motion: m, rad/s, N m; empty if the units of the file do not determine one.
 """
 
 from __future__ import annotations

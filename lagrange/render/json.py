@@ -273,7 +273,7 @@ def _motion(view: InCoordinates, values: Values | None, write: Write) -> dict[st
 
 
 def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
-    """Newton's law, and the count of unknowns; empty where the coordinates give no free bodies."""
+    """Newton's law, and the count of unknowns; empty if the coordinates give no free bodies."""
     if newton.equations is None or newton.before is None or newton.after is None:
         return {}
     directed = {"count": newton.after.unknowns, "equations": newton.after.equations}

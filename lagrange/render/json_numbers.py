@@ -139,7 +139,7 @@ def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
 
 
 def numbers_of_branches(asked: Asked, values: Values, write: Write) -> list[dict[str, Any]]:
-    """`number` and `unit` of each of several branches that has one; empty where it has none."""
+    """`number` and `unit` of each of several branches that has one; empty if it has none."""
     alone = (asked_number(replace(asked, branches=(b,)), values, write) for b in asked.branches)
     return [entry if entry["number"] is not None else {} for entry in alone]
 
@@ -158,7 +158,7 @@ def _is_part_of_a_turn(value: sp.Expr) -> bool:
 
 
 def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write: Write) -> dict[str, Any]:
-    """The equations of motion with the values; empty where a parameter has none."""
+    """The equations of motion with the values; empty if a parameter has none."""
     if values is None:
         return {}
     expressions = [e.expression for e in motion.final]

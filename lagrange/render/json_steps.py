@@ -39,7 +39,7 @@ def condition(c: SignCondition, write: Write) -> str:
 
 
 def stability_conditions(s: Stability, write: Write) -> dict[str, Any]:
-    """The conditions that go with a verdict; none where it holds for all parameters.
+    """The conditions that go with a verdict; none if it holds for all parameters.
 
     `stable_where` is a list of conditions, all of which must hold. `unstable_where` is a list of alternatives, each of
     them such a list. A conditional equilibrium is unstable elsewhere; otherwise the second variation does not decide.

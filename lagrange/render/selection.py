@@ -175,7 +175,7 @@ class ShownSteps:
         return self._labelled.get(label)
 
     def number(self, equation: Equation) -> str:
-        """The number of an equation in parentheses; empty where it has none."""
+        """The number of an equation in parentheses; empty if it has none."""
         number = self.numbers.get(equation.label or "")
         return f"({number})" if number else ""
 

@@ -52,7 +52,7 @@ class Bound:
 
 
 def bound_with(left: sp.Expr, right: sp.Expr, values: Values, relation: str = "≤") -> Bound | None:
-    """left ≤ right, or <, with the values; None where they change nothing, it is not real with them, or an equation."""
+    """left ≤ right, or <, with the values; None if they change nothing, it is not real with them, or an equation."""
     if relation == "=":
         return None
     bound = _bound_with(left, right, values)
@@ -131,7 +131,7 @@ def _over_positive(difference: sp.Expr, values: Values) -> sp.Expr:
 
 
 def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound | None:
-    """difference ≥ 0 solved for the one quantity that is left; None where there are several, or it is not linear."""
+    """difference ≥ 0 solved for the one quantity that is left; None if there are several, or it is not linear."""
     if len(in_numbers.free_symbols) != 1:
         return None
     [symbol] = in_numbers.free_symbols
@@ -199,7 +199,7 @@ def _solved_for_exponent(symbol: sp.Symbol, growth: sp.Expr, e: sp.Expr) -> Boun
 
 
 def _angle(wanted: sp.Expr, relation: str, bound: sp.Expr) -> AngleBound | None:
-    """θ ≥ 56.6° for tan θ ≥ 1.517 and 0 < θ < π/2; None where it says nothing in between."""
+    """θ ≥ 56.6° for tan θ ≥ 1.517 and 0 < θ < π/2; None if it says nothing in between."""
     if wanted.is_Symbol or real_value(bound) <= 0:
         return None
     if not isinstance(wanted, sp.tan) and real_value(bound) >= 1:
@@ -221,7 +221,7 @@ def _angle(wanted: sp.Expr, relation: str, bound: sp.Expr) -> AngleBound | None:
 
 @record
 class NumberRange:
-    """low ≤ wanted ≤ high; None where there is no such end. Without both, the inequality holds always."""
+    """low ≤ wanted ≤ high; None if there is no such end. Without both, the inequality holds always."""
 
     wanted: sp.Expr
     low: sp.Expr | None
@@ -229,7 +229,7 @@ class NumberRange:
 
 
 def ends_of_one(e: sp.Expr, symbol: sp.Symbol) -> NumberRange | None:
-    """e ≥ 0 with numbers for all but one symbol; None where it is no statement of this kind."""
+    """e ≥ 0 with numbers for all but one symbol; None if it is no statement of this kind."""
     waves = {f.func: f for f in e.atoms(sp.sin, sp.cos, sp.tan) if f.args[0] == symbol}
     letter = sp.Dummy(positive=True)
     if not waves:
@@ -277,7 +277,7 @@ def _where_positive(function: sp.Poly, wanted: sp.Expr) -> NumberRange | None:
 
 
 def _positive_roots(function: sp.Poly) -> list[sp.Expr]:
-    """Its positive roots; none where some root is not simple, so that the sign changes at each."""
+    """Its positive roots; none if some root is not simple, so that the sign changes at each."""
     if not _is_simple(function):
         return []
     return [sp.re(r) for r in function.nroots(n=30) if abs(sp.im(r)) < sp.Float("1e-20") and sp.re(r) > 0]

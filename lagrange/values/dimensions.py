@@ -235,7 +235,7 @@ class Homogeneity:
         self.alike(self.exponents(e) for e in sides)
 
     def alike(self, terms: Iterable[UnitExponents | None]) -> UnitExponents | None:
-        """Learns that these dimensions are one, and returns it; None where none is known, or they contradict."""
+        """Learns that these dimensions are one, and returns it; None if none is known, or they contradict."""
         first, agree = None, True
         for term in terms:
             if first is None:
@@ -245,7 +245,7 @@ class Homogeneity:
         return first if agree else None
 
     def dimension(self, e: sp.Expr) -> Dimension | None:
-        """The dimension of an expression; None where it does not follow."""
+        """The dimension of an expression; None if it does not follow."""
         found = self.exponents(e)
         whole = None if found is None else self._with_known(found)
         if whole is None or any(not isinstance(key, str) or key not in BASE for key in whole):
@@ -253,7 +253,7 @@ class Homogeneity:
         return tuple(sp.Rational(n.numerator, n.denominator) for n in (whole.get(u, Fraction(0)) for u in BASE))
 
     def exponents(self, e: sp.Expr) -> UnitExponents | None:
-        """The exponents of an expression, each part looked at once; None where there is nothing to go by."""
+        """The exponents of an expression, each part looked at once; None if there is nothing to go by."""
         if e not in self._found:
             self._found[e] = self._exponents(e)
         return self._found[e]

@@ -112,7 +112,7 @@ def real_roots(
 
 
 def sign_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: NumericalRoot) -> int | None:
-    """The sign of an expression at a root; None where the enclosure contains 0."""
+    """The sign of an expression at a root; None if the enclosure contains 0."""
     return _sign(_value_at(e, unknowns, root))
 
 
@@ -196,7 +196,7 @@ def _is_excluded(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], bo
 def _krawczyk(
     equations: Sequence[sp.Expr], jacobian: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], box: RootBox
 ) -> RootBox | None:
-    """K(X), which contains every root in X; None where it has no value."""
+    """K(X), which contains every root in X; None if it has no value."""
     size = len(box)
     middle = [iv.mpf((_ends(x)[0] + _ends(x)[1]) / 2) for x in box]
     try:
@@ -240,7 +240,7 @@ def _confirmed(
 
 
 def _common(mapped: RootBox, box: RootBox) -> RootBox | None:
-    """What two boxes have in common; None where that is nothing."""
+    """What two boxes have in common; None if that is nothing."""
     both = [(max(_ends(k)[0], _ends(x)[0]), min(_ends(k)[1], _ends(x)[1])) for k, x in zip(mapped, box, strict=True)]
     return None if any(low > high for low, high in both) else [iv.mpf(list(ends)) for ends in both]
 
@@ -281,7 +281,7 @@ def _from_starts(
 
 
 def _iterated(program: _Program, size: int, start: Sequence[float]) -> list[float] | None:
-    """Newton's iteration in floating point; None where it does not converge soon."""
+    """Newton's iteration in floating point; None if it does not converge soon."""
     place = list(start)
     for _ in range(MOST_STEPS):
         try:
@@ -349,7 +349,7 @@ _FUNCTIONS: Mapping[Any, Callable[[float], float]] = {
 
 
 def _inverse(matrix: Sequence[Sequence[float]]) -> list[list[float]] | None:
-    """The inverse of a matrix, roughly; None where it is singular."""
+    """The inverse of a matrix, roughly; None if it is singular."""
     size = len(matrix)
     rows = [[*map(float, row), *(float(n == k) for k in range(size))] for n, row in enumerate(matrix)]
     for n in range(size):
@@ -389,7 +389,7 @@ def _refined(
 
 
 def _solved(slope: sp.Matrix, residual: sp.Matrix) -> list[sp.Float] | None:
-    """The step of Newton's iteration; None where the matrix is singular.
+    """The step of Newton's iteration; None if the matrix is singular.
 
     By mpmath, with pivots by size: SymPy takes the first one that is not zero, be it zero but for rounding.
     """

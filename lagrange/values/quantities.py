@@ -38,7 +38,7 @@ class Quantity:
     """A result in numbers.
 
     formula  the expression with the values substituted, exactly
-    unit     of SI; empty where it is not known, or a number
+    unit     of SI; empty if it is not known, or a number
     """
 
     formula: sp.Expr
@@ -98,7 +98,7 @@ class Values:
         return expression.xreplace(dict(self.numbers))
 
     def quantity(self, expression: sp.Expr, is_angle: bool = False) -> Quantity | None:
-        """The expression in numbers; None where a parameter has no value, it is not real with these values, or huge.
+        """The expression in numbers; None if a parameter has no value, it is not real with these values, or huge.
 
         is_angle  whether a number without a dimension is an angle, in rad, and one in 1/s an angular velocity
         """
@@ -115,7 +115,7 @@ class Values:
         return Quantity(formula, self.unit_of(expression, is_angle))
 
     def unit_of(self, expression: sp.Expr, is_angle: bool = False) -> str:
-        """The unit of an expression; empty where the units given do not determine it."""
+        """The unit of an expression; empty if the units given do not determine it."""
         if not self.units or not {base(s) for s in expression.free_symbols} & {t, *self.units}:
             return unit_called(NO_DIMENSION, is_angle) if is_angle and expression.is_number else ""
         unit = dimension(expression, self.units)
@@ -184,7 +184,7 @@ def degrees(angle: sp.Expr, digits: int = DIGITS) -> sp.Expr:
 def rounded_in(e: sp.Expr, digits: int = DIGITS) -> sp.Expr:
     """The expression with its constants rounded: 3 √2 x'' + (981/100) sin θ is 4.243 x'' + 9.81 sin θ.
 
-    Raises NotRealError where one of them is not real.
+    Raises NotRealError if one of them is not real.
     """
     if e.is_number:
         return rounded(e, digits)

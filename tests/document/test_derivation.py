@@ -134,3 +134,13 @@ def test_two_equations_in_a_line_have_one_number() -> None:
     [line] = paired([first, second])
     assert line.label in ("one", "two")
     assert len(display(first, second, boxed=True).equations) == 2
+
+
+def test_a_change_of_equations_reaches_every_display_and_nothing_else() -> None:
+    x, y = sp.symbols("x y")
+    words = prose("before ", math(x))
+    step = Step(Rule.MEANING, "title", (words, display(Equation((x, y)), boxed=True), display(Equation((y,), "a"))))
+    turned = step.map(lambda e: Equation(e.sides[::-1], e.label))
+    assert turned == Step(
+        Rule.MEANING, "title", (words, display(Equation((y, x)), boxed=True), display(Equation((y,), "a")))
+    )

@@ -26,11 +26,10 @@ from lagrange.explain.illustrations import illustrated
 from lagrange.explain.report import notation_of
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import kinematics_and_law
-from lagrange.problem.loader import load
 from lagrange.render.html import CSS
 from lagrange.render.svg import figure
 from tests.support.browser import CHROMIUM
-from tests.support.shared import SHIPPED
+from tests.support.shared import SHIPPED, loaded
 
 PER_PICTURE = 24
 COLUMNS, WIDTH, HEIGHT = 4, 480, 400
@@ -38,7 +37,7 @@ COLUMNS, WIDTH, HEIGHT = 4, 480, 400
 
 def solution_for_figures(name: str) -> Solution:
     """Kinematics and Newton's law of a shipped problem, enough to draw it."""
-    return kinematics_and_law(load(SHIPPED[name]))
+    return kinematics_and_law(loaded(name))
 
 
 def figures_of(solution: Solution) -> list[Scene]:

@@ -38,6 +38,20 @@ def test_a_batch_of_problems_is_one_unit() -> None:
     assert {batch_of(name) for name in SHIPPED} == {*range(BATCHES)}
 
 
+def test_a_function_that_names_a_problem_runs_with_its_batch(monkeypatch: pytest.MonkeyPatch) -> None:
+    pendulum = f"batch-{batch_of('ex11-ideal-pendulum')}"
+    named = "truth/test_lagrange_method.py::test_each_method_is_checked_by_the_other"
+    by_constant = "answers/written/test_judging.py::test_an_equation_of_motion_has_an_acceleration_or_a_reaction"
+    assert unit_of(named) == unit_of(by_constant) == pendulum
+    own = "support/test_grouping.py::test_every_problem_has_its_own_group"
+    assert unit_of(own) == own
+    assert unit_of("no/test_file.py::test_a") == "no/test_file.py::test_a"
+    monkeypatch.setattr(grouping, "SECONDS", {named: 20.0})
+    unit_of.cache_clear()
+    assert unit_of(named) == named
+    unit_of.cache_clear()
+
+
 def test_the_longest_group_comes_first_and_groups_stay_together(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(grouping, "SECONDS", {"a.py::long": 20.0, "b.py::half": 6.0, "c.py::little": 2.0})
     other = next(name for name in SHIPPED if batch_of(name) != batch_of("heavy-top"))

@@ -8,7 +8,7 @@ import pytest
 
 from tests.support import tiers
 from tests.support.paths import ROOT
-from tests.support.tiers import ALWAYS, SECONDS, TIERS, tier_of
+from tests.support.tiers import ALWAYS, SECONDS, TIERS, representatives, tier_of
 
 
 @pytest.mark.parametrize(
@@ -38,5 +38,14 @@ def test_tier(test: str, tier: str | None) -> None:
 
 def test_what_took_long_altogether_is_slow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tiers, "MEASURED", tmp_path / "slow_tests.txt")
-    tiers.renew({"a.py::b[1]": 0.6, "a.py::b[2]": 0.6, "a.py::c": 0.9, "truth/d.py::e": 5})
-    assert tiers.MEASURED.read_text(encoding="utf-8") == "a.py::b 1\ntruth/d.py::e 5\n"
+    tiers.renew({"a.py::b[1]": 0.6, "a.py::b[2]": 0.6, "a.py::c": 0.4, "truth/d.py::e": 5})
+    assert tiers.MEASURED.read_text(encoding="utf-8") == "a.py::b 1.2\ntruth/d.py::e 5.0\n"
+
+
+def test_a_slow_function_is_represented_by_its_first_test_where_that_is_short(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        tiers, "SECONDS", {"a.py::many": 1.0, "a.py::long": 1.0, "a.py::single": 0.1, "truth/t.py::t": 1.0}
+    )
+    many, long = [f"a.py::many[{n}]" for n in range(9)], [f"a.py::long[{n}]" for n in range(2)]
+    laws = [f"truth/t.py::t[{n}]" for n in range(9)]
+    assert representatives([*many, *long, "a.py::single", *laws, "a.py::quick[1]"]) == {"a.py::many[0]"}

@@ -1,14 +1,16 @@
 """Which tests `make test` runs a part of: names of folders, files and functions below `tests/`.
 
 The tiers `truth` and `process` are listed here. Of the others those are `slow` whose function takes more than
-`LONG` processor seconds, all its parameters together: `slow_tests.txt` has them, as `pytest --renew-slow` measured them last.
-Its seconds also say which tests several processes begin with (`grouping.py`).
+`LONG` processor seconds, all its parameters together: `slow_tests.txt` has them, as `pytest --renew-slow` measured them
+last. Where a single one of its parameters takes no more than `SHORT`, the first is run each time. The seconds also say
+which tests several processes begin with (`grouping.py`).
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 TIERS = {
@@ -52,7 +54,8 @@ ALWAYS = {
 }
 """Long, and run each time: every shipped problem is solved, its checks hold, and what is printed means what it should."""
 
-LONG = 1.0
+LONG = 0.5
+SHORT = 0.2
 MEASURED = Path(__file__).with_name("slow_tests.txt")
 SECONDS = {
     name: float(seconds)
@@ -63,14 +66,28 @@ SECONDS = {
 
 def tier_of(test: str) -> str | None:
     """`truth`, `process`, `slow`, or None for a test that always runs. `test`: its path below `tests/`, `::`, its name."""
-    function = test.partition("[")[0]
+    return _tier_of_function(test.partition("[")[0])
+
+
+@cache
+def _tier_of_function(function: str) -> str | None:
+    file = function.partition("::")[0]
     for tier, slow in TIERS.items():
-        if any(
-            function.startswith(name) if name.endswith("/") else name in (function, function.partition("::")[0])
-            for name in slow
-        ):
+        if any(function.startswith(name) if name.endswith("/") else name in (function, file) for name in slow):
             return tier
     return "slow" if function in SECONDS and function not in ALWAYS else None
+
+
+def representatives(tests: Sequence[str]) -> set[str]:
+    """The first test of each slow function with several tests that are short on average."""
+    functions = [test.partition("[")[0] for test in tests]
+    number = Counter(functions)
+    first = dict(zip(reversed(functions), reversed(tests), strict=True))
+    return {
+        test
+        for function, test in first.items()
+        if tier_of(test) == "slow" and number[function] > 1 and SECONDS[function] <= SHORT * number[function]
+    }
 
 
 def renew(seconds: Mapping[str, float]) -> None:
@@ -78,5 +95,5 @@ def renew(seconds: Mapping[str, float]) -> None:
     by_function: Counter[str] = Counter()
     for test, taken in seconds.items():
         by_function[test.partition("[")[0]] += taken
-    lines = [f"{function} {taken:.0f}\n" for function, taken in sorted(by_function.items()) if taken > LONG]
+    lines = [f"{function} {taken:.1f}\n" for function, taken in sorted(by_function.items()) if taken > LONG]
     MEASURED.write_text("".join(lines), encoding="utf-8")

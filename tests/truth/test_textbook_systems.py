@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -256,16 +257,18 @@ def test_reactions_are_found(name: str) -> None:
 # -- choices -----------------------------------------------------------------------------------------------------------
 
 
-CHOICES = [
-    (name, choice)
-    for name in sorted(SYSTEMS)
-    for choice in yaml.safe_load(path_of(name).read_text(encoding="utf-8")).get("generalized_coordinates") or {}
-]
+def _data(name: str) -> dict[str, Any]:
+    """The file as PyYAML reads it, by its parser in C where there is one: every collection of tests reads all files."""
+    with path_of(name).open("rb") as file:
+        return yaml.load(file, getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+
+
+CHOICES = [(name, choice) for name in sorted(SYSTEMS) for choice in _data(name).get("generalized_coordinates") or {}]
 
 
 def substitution_of_file(name: str, choice: str, configuration: Configuration) -> dict[str, sp.Expr] | None:
     """The substitution as SymPy reads it from the file, old coordinate -> expression; None where there is none."""
-    data = yaml.safe_load(path_of(name).read_text(encoding="utf-8"))
+    data = _data(name)
     given = data["generalized_coordinates"][choice].get("substitute")
     if given is None:
         return None

@@ -50,7 +50,7 @@ def _is_problem(name: str) -> bool:
 def labelled(named: Sequence[str]) -> tuple[tuple[str, Source], ...]:
     """The problems with their labels, which differ: the name in the library as it was typed, or that of the file.
 
-    Raises ProblemError where one does not exist, or is named twice.
+    Raises ProblemError if one does not exist, or is named twice.
     """
     sources = [problem_source(name) for name in named]
     labels = [

@@ -65,7 +65,7 @@ def examine_within_limits(
 ) -> Graded:
     """The same in a process of this thread alone: for a cluster, whose workers cannot stop a task.
 
-    Raises StoppedError, or SetupError where the problem cannot be solved within the limits.
+    Raises StoppedError, or SetupError if the problem cannot be solved within the limits.
     """
     worker: Worker | None = getattr(_of_thread, "worker", None)
     same = getattr(_of_thread, "batch", None) == (problems, limits)
@@ -98,7 +98,7 @@ def outcomes(
 
     Of submissions with the same files only the first is graded.
 
-    Yields None from time to time while nothing is ready. Raises SetupError where no submission can be graded,
+    Yields None from time to time while nothing is ready. Raises SetupError if no submission can be graded,
     BrokenExecutor or CancelledError where the executor gives up.
     """
     running: dict[Future[Graded], _Trial] = {}
@@ -192,7 +192,7 @@ def _key(submission: Submission) -> bytes:
 
 
 def _graded(future: Future[Graded], last: bool) -> Graded | None:
-    """The outcome; None where it is to be tried again. Raises whatever concerns the whole batch."""
+    """The outcome; None if it is to be tried again. Raises whatever concerns the whole batch."""
     try:
         return future.result()
     except (SetupError, BrokenExecutor, CancelledError):

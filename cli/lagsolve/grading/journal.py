@@ -45,7 +45,7 @@ class Journal:
 
     ignored  how many lines were found in it that are no rows
 
-    Raises OSError where the file cannot be opened, or is not a regular file; a link is not followed.
+    Raises OSError if the file cannot be opened, or is not a regular file; a link is not followed.
     """
 
     def __init__(self, path: Path | None) -> None:
@@ -72,11 +72,11 @@ class Journal:
 
     @property
     def path(self) -> Path | None:
-        """The file of the journal; None where there is none."""
+        """The file of the journal; None if there is none."""
         return self._path
 
     def row(self, of: str) -> TableRow | None:
-        """The row of a key; None where it is not known."""
+        """The row of a key; None if it is not known."""
         return self._known.get(of)
 
     def add(self, under: str, row: TableRow) -> None:
@@ -114,7 +114,7 @@ def _opened(path: Path) -> FileIO:
 
 
 def _entry(line: bytes) -> tuple[str, TableRow] | None:
-    """Key and row of a line; None where it is not one that `add` writes."""
+    """Key and row of a line; None if it is not one that `add` writes."""
     try:
         entry: Any = json.loads(line)
         name = entry["key"]

@@ -146,7 +146,7 @@ class Pool(Executor):
 def cluster(address: str) -> Iterator[tuple[Executor, int]]:
     """The executor of the scheduler at an address, and the number of its threads.
 
-    Raises ProblemError where it cannot be reached, or its workers have another lagsolve.
+    Raises ProblemError if it cannot be reached, or its workers have another lagsolve.
     """
     try:
         from distributed import Client

@@ -38,7 +38,7 @@ from lagsolve.written_files import unwritable, write_file
 
 @record
 class GradingRun:
-    """The request of the command line. `csv` and `feedback` are None where they are not wanted.
+    """The request of the command line. `csv` and `feedback` are None if they are not wanted.
 
     problems  the problems of the assignment, each with its label
     hint      how much pages and remarks reveal: 1, 2 or 3
@@ -95,7 +95,7 @@ class InterruptedBatchError(KeyboardInterrupt):
 def graded(run: GradingRun) -> list[TableRow]:
     """Grades the batch; writes CSV and pages. The rows are sorted by name.
 
-    Raises ProblemError where it cannot begin, InterruptedBatchError where it was interrupted.
+    Raises ProblemError if it cannot begin, InterruptedBatchError where it was interrupted.
     """
     return all_results(run)[0]
 
@@ -269,7 +269,7 @@ def _lines(number: int) -> str:
 
 
 def _make_folder(folder: Path | None) -> None:
-    """Makes the folder of pages. Raises ProblemError where that is impossible."""
+    """Makes the folder of pages. Raises ProblemError if that is impossible."""
     try:
         if folder is not None:
             folder.mkdir(parents=True, exist_ok=True)
@@ -278,7 +278,7 @@ def _make_folder(folder: Path | None) -> None:
 
 
 def _refuse_pages_among_answers(run: GradingRun) -> None:
-    """Raises ProblemError where the pages would be taken for submissions the next time."""
+    """Raises ProblemError if the pages would be taken for submissions the next time."""
     feedback = run.feedback
     if feedback is not None and os.path.realpath(feedback) in map(os.path.realpath, run.answers):
         message = f"{feedback} is the folder of the submissions: its pages would be graded next time"
@@ -286,7 +286,7 @@ def _refuse_pages_among_answers(run: GradingRun) -> None:
 
 
 def _refuse_overwrite(path: Path | None) -> None:
-    """Raises ProblemError where the CSV file is not a table of an earlier run but an answer, or the problem."""
+    """Raises ProblemError if the CSV file is not a table of an earlier run but an answer, or the problem."""
     if path is None or not path.is_file():
         return
     try:

@@ -187,7 +187,7 @@ _ONLY = "\0"
 
 
 def read_roster(path: Path, due: datetime | None) -> Roster:
-    """The table in a file. Raises ProblemError where it is none, or too large."""
+    """The table in a file. Raises ProblemError if it is none, or too large."""
     text = read_source(path).text
     if text.lstrip().startswith("{"):
         return _gradescope(path, text, due)
@@ -270,7 +270,7 @@ def _gradescope(path: Path, text: str, due: datetime | None) -> Roster:
 
 
 def time_of(text: str, where: str) -> datetime:
-    """A time. Raises ProblemError where the text is none."""
+    """A time. Raises ProblemError if the text is none."""
     try:
         return datetime.fromisoformat(text.strip())
     except ValueError:

@@ -102,7 +102,7 @@ class UnreadSubmission:
 def named_submissions(named: Sequence[str], excluded: Sequence[Path]) -> list[UnreadSubmission]:
     """The submissions that a command line names, sorted; `excluded` are files and folders of the grading itself.
 
-    Raises ProblemError where something does not exist, or where there are none.
+    Raises ProblemError if something does not exist, or where there are none.
     """
     own = {real for p in excluded for real in (os.path.realpath(p), _place(p))}
     names: dict[str, tuple[str, str]] = {}  # place: the short name, and the long one
@@ -123,7 +123,7 @@ def named_submissions(named: Sequence[str], excluded: Sequence[Path]) -> list[Un
 
 
 def one_entry(named: Sequence[str]) -> UnreadSubmission:
-    """The file or folder that a command line names, as one submission. Raises ProblemError where there are several."""
+    """The file or folder that a command line names, as one submission. Raises ProblemError if there are several."""
     if len(named) != 1:
         message = f"{len(named)} files or folders are named, and this format is about one submission"
         help_ = "name the folder with the files of one student"
@@ -166,7 +166,7 @@ def _names(folder: Path) -> Iterator[str]:
 
 
 def _content(path: Path, room: int) -> bytes:
-    """The bytes of a regular file. Raises UnreadSubmissionError where it is not one, or has more than `room` bytes."""
+    """The bytes of a regular file. Raises UnreadSubmissionError if it is not one, or has more than `room` bytes."""
     before = os.lstat(path)
     if not stat.S_ISREG(before.st_mode):
         raise UnreadSubmissionError(KINDS.get(stat.S_IFMT(before.st_mode), "is a device, which is not opened"))

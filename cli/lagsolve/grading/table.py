@@ -83,7 +83,7 @@ class TableRow:
 
     @property
     def points_of(self) -> str:
-        """`7.5/10`, or `?/10` where something is undecided; empty where nothing is asked for."""
+        """`7.5/10`, or `?/10` where something is undecided; empty if nothing is asked for."""
         points = "?" if self.points is None else f"{self.points:g}"
         return "" if self.possible is None else f"{points}/{self.possible:g}"
 

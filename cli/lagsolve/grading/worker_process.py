@@ -34,7 +34,7 @@ def write_frame(stream: IO[bytes], content: object) -> None:
 
 
 def read_object(stream: IO[bytes]) -> Any:
-    """The next object. Raises EOFError where there is none, or only a part of one."""
+    """The next object. Raises EOFError if there is none, or only a part of one."""
     head = stream.read(HEAD.size)
     size = HEAD.unpack(head)[0] if len(head) == HEAD.size else MAX_FRAME + 1
     data = stream.read(size) if size <= MAX_FRAME else b""

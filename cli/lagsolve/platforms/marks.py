@@ -31,7 +31,7 @@ _POINTS = "Points Possible"
 
 @record
 class Mark:
-    """What a student gets: `score` is None where a person has to look at it."""
+    """What a student gets: `score` is None if a person has to look at it."""
 
     student: str
     score: float | None
@@ -40,7 +40,7 @@ class Mark:
     submission: str
 
     def scaled(self, maximum: float | None) -> str:
-        """The mark, out of a maximum; empty where there is none yet."""
+        """The mark, out of a maximum; empty if there is none yet."""
         if self.score is None:
             return ""
         return number(self.score if maximum is None else maximum * self.score / self.out_of)

@@ -57,7 +57,7 @@ def grade_element(
     problem  the text of the problem file
     weight   of this answer among those of the question
 
-    Raises ProblemError where the problem cannot be read or solved, which PrairieLearn shows to the author.
+    Raises ProblemError if the problem cannot be read or solved, which PrairieLearn shows to the author.
     """
     answer = data["submitted_answers"].get(name)
     if not isinstance(answer, str) or not answer.strip():

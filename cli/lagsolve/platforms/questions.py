@@ -60,7 +60,7 @@ print(result(problem, answer, {{ QUESTION.parameters.hint | default(1) }}))
 
 
 def essay(source: Source) -> str:
-    """The XML of an essay question about a problem. Raises ProblemError where it cannot be read or solved."""
+    """The XML of an essay question about a problem. Raises ProblemError if it cannot be read or solved."""
     solved = report(read_problem(source), complete=False)
     return _quiz(_question("essay", solved, _ESSAY))
 
@@ -192,7 +192,7 @@ def _html(parts: Iterable[Part], write: Writer) -> str:
 
 
 def figure_of(derivation: Derivation, notation: Notation) -> tuple[str, str] | None:
-    """The figure of the system as an SVG file of its own, and its description; None where there is none."""
+    """The figure of the system as an SVG file of its own, and its description; None if there is none."""
     write = Writer(UNICODE, notation)
     for step in derivation.steps:
         for block in step.body:

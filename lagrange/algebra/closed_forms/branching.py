@@ -103,7 +103,7 @@ def solutions(
     beside    other expressions that are to be taken at the solutions (`SolutionSet.at`)
     origin    the equations before they were multiplied by denominators: these must have values at a solution
 
-    Raises NotAlgebraicError where a given angle has no letters.
+    Raises NotAlgebraicError if a given angle has no letters.
     """
     letters = TrigLetters((*equations, *origin, *beside, *(sp.cos(u) for u in known or ())), unknowns)
     with allowed_for_a_search(UNITS_OF_SOLUTIONS) as allowance:
@@ -151,7 +151,7 @@ def _solutions(
 def _with_origin(
     branches: Sequence[Branch], equations: Sequence[sp.Expr], u: sp.Symbol, letters: TrigLetters
 ) -> list[Branch]:
-    """The branches with u = 0 beside them where equations without letters hold: sin θ = c sin((1 + b/a) θ)."""
+    """The branches, with u = 0 as a further one if it satisfies all equations: sin θ = c sin((1 + b/a) θ)."""
     try:
         is_solution = all(is_zero(e.xreplace({u: sp.S.Zero})) is True for e in equations)
     except DivisionByZeroError:  # u^(n − 1)
@@ -167,7 +167,7 @@ def _with_origin(
 
 
 def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp.Expr], list[sp.Expr]]:
-    """The expressions in letters, and those that have none."""
+    """The expressions rewritten in letters, and those for which that is impossible."""
     readable, strange = [], []
     for e in expressions:
         try:
@@ -227,7 +227,7 @@ class _BranchSearch:
         yield from self._solved(state)
 
     def _prepared(self, state: _State) -> _State | None:
-        """The equations with the known values substituted, as polynomials; None where they are contradictory."""
+        """The equations with the known values substituted, as polynomials; None if they are contradictory."""
         kept = []
         state = self._with_roots(state)
         if any(self._vanishes(a, state) for a in state.nonzero):
@@ -462,7 +462,7 @@ class _BranchSearch:
         yield from self.branches(left)
 
     def _linear(self, state: _State, with_unknowns: bool) -> list[_State] | None:
-        """The states after eliminating an unknown that occurs linearly; None where there is none."""
+        """The states after eliminating an unknown that occurs linearly; None if there is none."""
         plain = [u for u in self.letters.unknowns if u not in self.letters.angles and u not in state.solved]
         plain.sort(key=lambda u: u not in self.first)
         for u in plain:
@@ -494,7 +494,7 @@ class _BranchSearch:
         return None
 
     def _turned(self, state: _State) -> _State | None:
-        """The state after eliminating an angle that another one gives, θ = ψ + α; None where there is none."""
+        """The state after eliminating an angle that another one gives, θ = ψ + α; None if there is none."""
         letters = {s for a in self.letters.angles.values() for s in a.letters}
         for n, e in enumerate(state.equations):
             if not e.free_symbols.isdisjoint(letters):
@@ -520,7 +520,7 @@ class _BranchSearch:
         return None
 
     def _pair_of(self, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
-        """Cosine and sine of an angle in the letters of the unknowns; None where it is no sum of multiples of them."""
+        """Cosine and sine of an angle in the letters of the unknowns; None if it is no sum of multiples of them."""
         for term in sp.Add.make_args(sp.expand(angle)):
             unknown = self.letters.unknowns_in(term)
             if unknown and not (term.as_coeff_Mul()[1] in unknown and term.as_coeff_Mul()[1] in self.letters.angles):

@@ -50,7 +50,7 @@ class _Bound:
 def further_conditions(
     conditions: Sequence[SignCondition], known: Sequence[SignCondition] = ()
 ) -> tuple[SignCondition, ...] | None:
-    """What the conditions say beside those `known` to hold, in fewer or shorter ones; None if they exclude each other.
+    """What the conditions add to those `known`, as few and short as possible; None if they contradict each other.
 
     Conditions that are no polynomials in positive parameters are left as they are.
     """
@@ -100,7 +100,7 @@ class _Nowhere(tuple[_Bound, ...]):
 
 
 def _bounds(conditions: Sequence[SignCondition]) -> tuple[list[_Bound], list[SignCondition]]:
-    """The conditions as polynomials, and those that are none."""
+    """The conditions as polynomials, and those that are not polynomial."""
     read: list[_Bound] = []
     others = []
     for c in conditions:
@@ -174,7 +174,7 @@ class _Line:
 
 
 def _line(polynomials: Sequence[sp.Expr]) -> _Line | None:
-    """The polynomials in one monomial; None where there is none."""
+    """The polynomials in one monomial; None if there is none."""
     symbols = sorted({s for p in polynomials for s in p.free_symbols}, key=str)
     terms = [sp.Poly(p, *symbols).terms() for p in polynomials]
     direction: tuple[int, ...] | None = None
@@ -210,7 +210,7 @@ def _line(polynomials: Sequence[sp.Expr]) -> _Line | None:
 
 
 def _on_one_line(asked: Sequence[_Bound], given: Sequence[_Bound]) -> tuple[_Bound, ...] | None:
-    """The bounds of t that all conditions leave, and what may not be there; None where this is no interval."""
+    """The bounds of t that all conditions leave, and what may not be there; None if this is no interval."""
     line = _line([b.polynomial for b in (*asked, *given)])
     if line is None:
         return None
@@ -266,7 +266,7 @@ def _ends(cells: tuple[_End, ...] | None) -> tuple[_End, _End]:
 
 
 def _interval(bounds: Sequence[tuple[_Bound, sp.Poly]]) -> tuple[_End, ...] | None:
-    """The ends of the interval of t in which all hold; () where none does, None where it is not one interval."""
+    """The ends of the interval of t in which all hold; () where none does, None if it is not one interval."""
     roots = sorted({r for _, p in bounds for r in _roots(p)}, key=lambda r: r.evalf(40))
     if any(a.evalf(40) == b.evalf(40) for a, b in pairwise(roots)):
         return None
@@ -307,7 +307,7 @@ def _between(roots: Sequence[sp.Expr]) -> list[sp.Rational]:
 
 
 def _implied(asked: Sequence[_Bound], given: Sequence[_Bound]) -> tuple[_Bound, ...]:
-    """The conditions with products split where signs are known, and without those that others imply."""
+    """The conditions, with products split where signs are known, and without those implied by others."""
     for _ in range(len(asked) + 2):
         changed = _split(asked, given)
         if changed is None:
@@ -330,7 +330,7 @@ def _follows(b: _Bound, known: Sequence[_Bound]) -> bool:
 
 
 def _least(p: sp.Expr, known: Sequence[_Bound]) -> int:
-    """2 if a polynomial is positive, 1 if it is not negative, 0 if that is not seen."""
+    """2 if a polynomial is provably positive, 1 if provably nonnegative, 0 otherwise."""
     given = [k for k in known if k.relation != "≠"]
     symbols = sorted({s for e in (p, *(k.polynomial for k in given)) for s in e.free_symbols}, key=str)
     if not symbols:
@@ -376,7 +376,7 @@ def _combined(p: _Terms, known: Sequence[tuple[_Terms, bool]], steps: int, stric
 
 
 def _split(asked: Sequence[_Bound], given: Sequence[_Bound]) -> list[_Bound] | None:
-    """The conditions after one product has been replaced by its factors of unknown sign; None where none can be."""
+    """The conditions after one product has been replaced by its factors of unknown sign; None if none can be."""
     for n, b in enumerate(asked):
         others = [*asked[:n], *asked[n + 1 :]]
         number, powers = sp.factor_list(b.polynomial)
@@ -493,7 +493,7 @@ def _without_weaker(conditions: Sequence[SignCondition]) -> list[SignCondition]:
 
 
 def positive_part(c: SignCondition) -> sp.Expr:
-    """What a condition says to be positive."""
+    """The expression that a condition requires to be positive."""
     return (c.lhs - c.rhs) * (-1 if c.relation == "<" else 1)
 
 

@@ -51,7 +51,7 @@ Matrix = tuple[tuple[sp.Expr, ...], ...]
 class Frequency:
     """A root w of the characteristic equation.
 
-    square        w = ω²; None where it is not found in closed form
+    square        w = ω²; None if it is not found in closed form
     factor        the irreducible polynomial in `letter` that has this root
     multiplicity  of the root
     modes         a basis of the a with (K − w M) a = 0, each with first component 1 where it has one
@@ -141,7 +141,7 @@ def _with_positive_lead(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
 
 
 def closed_roots(factor: sp.Expr, letter: sp.Symbol) -> list[sp.Expr] | None:
-    """Its roots, the smaller one first where that is known; None where they are not in closed form, or long."""
+    """Its roots, the smaller one first where that is known; None if they are not in closed form, or long."""
     parts = _parts_of_roots(factor, letter) if count_operations(factor) <= LONGEST_SOLVED_FACTOR else None
     if parts is None:
         return None
@@ -256,7 +256,7 @@ class Field:
 def modes(
     mass: Matrix, stiffness: Matrix, factor: sp.Expr, letter: sp.Symbol
 ) -> list[tuple[tuple[sp.Expr, ...], ...]] | None:
-    """For each root of `closed_roots` a basis of the a with (K − w M) a = 0; None where that did not succeed."""
+    """For each root of `closed_roots` a basis of the a with (K − w M) a = 0; None if that did not succeed."""
     entries = [k - letter * m for ks, ms in zip(stiffness, mass, strict=True) for k, m in zip(ks, ms, strict=True)]
     parts = _parts_of_roots(factor, letter)
     if parts is None:
@@ -290,7 +290,7 @@ class Expressions:
         return sp.Rational(numerator, denominator)
 
     def reduce(self, x: sp.Expr) -> sp.Expr:
-        """The expression over one denominator, or 0. Raises InadmissibleError where that is undecided."""
+        """The expression over one denominator, or 0. Raises InadmissibleError if that is undecided."""
         return reduced_by_zero_test(x)
 
     def less(self, row: Sequence[sp.Expr], factor: sp.Expr, other: Sequence[sp.Expr]) -> list[sp.Expr]:
@@ -315,7 +315,7 @@ class Expressions:
 
 
 def modes_at(root: sp.Expr, mass: Matrix, stiffness: Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
-    """A basis of the a with (K − w M) a = 0 at one root w; none where that is not decided."""
+    """A basis of the a with (K − w M) a = 0 at one root w; none if that is not decided."""
     numbers = Expressions()
     rows = [[k - root * m for k, m in zip(ks, ms, strict=True)] for ks, ms in zip(stiffness, mass, strict=True)]
     try:
@@ -354,7 +354,7 @@ def frequencies(
 
 
 def _ordered(frequencies: Sequence[Frequency]) -> list[Frequency]:
-    """The smaller ones first, as far as is known; what is no closed form last."""
+    """The frequencies in ascending order where this is known; those without a closed form come last."""
     ordered: list[Frequency] = []
     for f in frequencies:
         place = len(ordered)
@@ -399,7 +399,7 @@ def with_repeated_roots_apart(pieces: Sequence[tuple[sp.Expr, int]], letter: sp.
 
 
 def reduced_by_zero_test(x: sp.Expr) -> sp.Expr:
-    """An expression over one denominator; 0 if it is zero. Raises InadmissibleError where that is undecided."""
+    """An expression over one denominator; 0 if it is zero. Raises InadmissibleError if that is undecided."""
     if x == 0 or x.is_Rational:
         return x
     vanishes = is_zero(x)
@@ -449,7 +449,7 @@ def _square_free(f: Coefficients, n: int) -> list[tuple[Coefficients, int]]:
 
 
 def _without_common_roots(pieces: list[tuple[Coefficients, int]]) -> list[tuple[Coefficients, int]]:
-    """The factors with their common divisors as factors of their own, whose multiplicities add up."""
+    """The factors with their common divisors split off as separate factors, whose multiplicities add up."""
     for (k, (f, m)), (j, (g, n)) in combinations(enumerate(pieces), 2):
         common = _common_divisor(f, g)
         if len(common) > 1:

@@ -178,7 +178,7 @@ def _never_zero(e: sp.Expr, letters: TrigLetters) -> bool:
 
 
 def _strict(e: sp.Expr) -> int | None:
-    """The sign of an expression without unknowns that is not zero; None where that is open."""
+    """The sign of an expression without unknowns that is not zero; None if that is open."""
     e = sp.expand(e)
     return 1 if e.is_positive else -1 if e.is_negative else None
 
@@ -227,12 +227,12 @@ def _triangle(e: sp.Expr, f: sp.Expr, letters: TrigLetters) -> _Triangle | None:
 
 
 def _same_sign(t: _Triangle) -> int | None:
-    """The sign of the product of two sides; None where that is open."""
+    """The sign of the product of two sides; None if that is open."""
     return sign_of(sp.factor(t[0] * t[1]))
 
 
 def _closing(t: _Triangle) -> tuple[SignCondition, ...] | None:
-    """The triangle inequalities; None where they are never met."""
+    """The triangle inequalities; None if they are never met."""
     a, b, square = t
     # Up to its sign the product ab is what (|a| ± |b|)² contain: both signs are covered by both inequalities.
     sign = _same_sign(t)
@@ -409,7 +409,7 @@ def _roots_used(used: Iterable[sp.Symbol], letters: TrigLetters) -> list[sp.Symb
 def _in_chart(
     equations: Sequence[sp.Expr], radicands: Sequence[sp.Expr], signs: Mapping[sp.Symbol, int]
 ) -> list[sp.Expr] | None:
-    """The equations with x = ±1/y, y ≥ 0, where a sign is given, times a power of y; None where that has roots."""
+    """The equations with x = ±1/y, y ≥ 0, where a sign is given, times a power of y; None if that has roots."""
     written = list(equations)
     for x, s in signs.items():
         if not s:

@@ -35,7 +35,7 @@ from lagrange.core.records import record
 
 
 def irreducible_factors(e: sp.Expr) -> list[sp.Expr] | None:
-    """The irreducible factors of a polynomial, each once; None where it is too large."""
+    """The irreducible factors of a polynomial, each once; None if it is too large."""
     if not can_be_factored(e):
         return None
     return [*_factors(e)]
@@ -56,7 +56,7 @@ def can_be_factored(e: sp.Expr) -> bool:
 
 
 def numerator(e: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
-    """Numerator and denominator of a rational expression in lowest terms; None where it is too large."""
+    """Numerator and denominator of a rational expression in lowest terms; None if it is too large."""
     if count_operations(e) > 4 * LARGEST_FACTORED or len(e.free_symbols) > 2 * MOST_FACTORED_SYMBOLS:
         return None
     try:
@@ -98,7 +98,7 @@ class Value:
 
 
 def polynomial_roots(f: sp.Expr, x: sp.Symbol) -> list[Value] | None:
-    """The real roots of an irreducible polynomial; None where they are not found in closed form."""
+    """The real roots of an irreducible polynomial; None if they are not found in closed form."""
     try:
         poly = sp.Poly(f, x)
     except sp.PolynomialError:
@@ -218,7 +218,7 @@ def _squares(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, sp.Exp
 
 
 def solved_for_powers(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:
-    """Equations in which each has one monomial, x² − c: as many as there are powers. None where they are so already."""
+    """Equations in which each has one monomial, x² − c: as many as there are powers. None if they are so already."""
     if not len(equations) > 1 or any(
         count_operations(e) > LONGEST_SPHERE or not e.is_polynomial(*unknowns) for e in equations
     ):

@@ -34,7 +34,7 @@ class SignCondition:
 
 
 def sign_of(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> int | None:
-    """+1, -1 or 0; None where it may be either. Each of `positive` is taken to be positive."""
+    """+1, -1 or 0; None if it may be either. Each of `positive` is taken to be positive."""
     if expression == 0:
         return 0
     positive = tuple(positive)
@@ -169,7 +169,7 @@ def _in_sines(e: sp.Expr) -> sp.Expr:
 
 
 def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[SignCondition, ...] | None:
-    """The conditions under which an expression is ≥ 0: none, one, or None where it is negative."""
+    """The conditions under which an expression is ≥ 0: none, one, or None if it is negative."""
     positive = tuple(positive)
     sign = sign_of(expression, positive)
     if sign is None:
@@ -178,7 +178,7 @@ def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple
 
 
 def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | None:
-    """The conditions under which |value| ≤ 1; None where that never holds."""
+    """The conditions under which |value| ≤ 1; None if that never holds."""
     numerator, denominator = sp.fraction(sp.together(value))
     if sign_of(denominator) == -1:
         numerator, denominator = -numerator, -denominator
@@ -208,7 +208,7 @@ def always_holds(c: SignCondition) -> bool:
 
 
 def different_from_zero(expression: sp.Expr) -> tuple[SignCondition, ...]:
-    """The condition that an expression is not zero; none where its sign is known."""
+    """The condition that an expression is not zero; none if its sign is known."""
     sign = sign_of(expression)
     return (_compared(expression, "≠"),) if sign is None else ()
 
@@ -310,7 +310,7 @@ def more_than_zero(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> Sig
 
 
 def _without_positive_factors(expression: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
-    """The expression without the factors that are positive in any case; signs are kept."""
+    """The expression divided by all factors that are certainly positive, which leaves its sign unchanged."""
     known = tuple(f for p in positive for f in (p, -p))
     kept = []
     sign = 1
@@ -339,7 +339,7 @@ def _without_positive_factors(expression: sp.Expr, positive: tuple[sp.Expr, ...]
 
 @lru_cache(maxsize=1000)
 def takes_both_signs(expression: sp.Expr, positive: tuple[sp.Expr, ...] = ()) -> bool:
-    """Whether an expression is seen to take both signs at points where each of `positive` is positive."""
+    """Whether an expression takes both signs at the points tried, at which each of `positive` is positive."""
     if count_operations(expression) < SHORTEST_TRIED:
         return False
     graph, reals, seen = Graph(), Reals(Random(1)), set()

@@ -66,7 +66,7 @@ class Root:
 
     @property
     def shared(self) -> Values:
-        """`common`, or all values where there is one point."""
+        """`common`, or all values if there is only one point."""
         return self.values[0] if len(self.values) == 1 else self.common
 
 
@@ -183,7 +183,7 @@ def _forms(f: sp.Expr, angle: LetteredAngle) -> Iterator[sp.Expr]:
 
 
 def _homogeneous(f: sp.Expr, c: sp.Symbol, s: sp.Symbol) -> sp.Expr | None:
-    """Every monomial with the highest degree, by C² + S² = 1; None where the degrees are even and odd."""
+    """Every monomial with the highest degree, by C² + S² = 1; None if the degrees are even and odd."""
     terms = sp.Poly(f, c, s).terms()
     top = max(sum(powers) for powers, _ in terms)
     if top > HIGHEST_DEGREE or any((top - sum(powers)) % 2 for powers, _ in terms):
@@ -343,7 +343,7 @@ def _squared(f: sp.Expr, angle: LetteredAngle) -> list[Root] | None:
 
 
 def one_unknown(f: sp.Expr, u: sp.Symbol, letters: TrigLetters) -> list[Root] | None:
-    """All roots of a polynomial equation f = 0 by one unknown; None where they are not found in closed form."""
+    """All roots of a polynomial equation f = 0 by one unknown; None if they are not found in closed form."""
     if u in letters.angles:
         return angle_roots(f, u, letters)
     pieces = irreducible_factors(f)

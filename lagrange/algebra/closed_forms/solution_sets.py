@@ -67,7 +67,7 @@ class SolutionSet:
     """All solutions of a system.
 
     equations  of the system, each zero
-    verified   whether every point satisfies every equation, exactly; None where that is undecided
+    verified   whether every point satisfies every equation, exactly; None if that is undecided
     excluded   where an equation multiplied by its denominator holds, but the denominator vanishes: no solutions
     """
 
@@ -410,7 +410,7 @@ def is_part(b: Branch, wider: Branch, solution: SolutionSet) -> bool:
 
 
 def _states(b: Branch) -> set[object]:
-    """What a branch asks of the unknowns and the parameters."""
+    """The relations and conditions that a branch imposes on unknowns and parameters."""
     return {*b.relations, *b.conditions, *b.left}
 
 

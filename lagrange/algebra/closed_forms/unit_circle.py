@@ -67,7 +67,7 @@ class TrigLetters:
             self._angle(monomial, d)
 
     def copy(self) -> TrigLetters:
-        """Letters of their own that begin as these do: what is read with them adds no angles or roots here."""
+        """An independent copy: expressions read with it add no angles or roots to the original."""
         other = TrigLetters((), self.unknowns)
         other.angles, other.roots = dict(self.angles), dict(self.roots)
         return other

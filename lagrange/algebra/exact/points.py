@@ -123,7 +123,7 @@ class Point:
             point = point._origin
 
     def _taken_over(self, node: int) -> Any:
-        """The same; it is kept."""
+        """The value of a node, which is then stored."""
         self._values[node] = value = self._known(node)
         return value
 
@@ -148,7 +148,7 @@ class Point:
         return [first._affine(node, unknowns, second) for node in nodes]
 
     def with_values(self, changes: Mapping[sp.Symbol, Any]) -> Self:
-        """The same point with other values of the given symbols. Nothing else is evaluated again."""
+        """The same point with other values of the given symbols; nothing else is evaluated again."""
         # The two share the values of all other symbols, so that values of nodes are taken over when they are needed:
         # copying all of them takes longer than evaluating an equation.
         other = self._blank()

@@ -69,7 +69,7 @@ class PrimeField:
 
     @classmethod
     def draw(cls, rng: random.Random, squares: Iterable[int] = ()) -> PrimeField:
-        """A random field in which the given integers are squares too (beside all primes up to 23)."""
+        """A random field in which the given integers are squares, in addition to all primes up to 23."""
         wanted = tuple(squares)
         low = 2 ** (_BITS - 1) // M
         while True:

@@ -173,7 +173,7 @@ def symmetric_eigensystem(matrix: list[list[Any]]) -> tuple[Any, Any]:
 
 
 def exponential(value: Any) -> Any:
-    """e^value. Raises InadmissibleError where it is very large or very small."""
+    """e^value. Raises InadmissibleError if it is very large or very small."""
     if abs(value) > LARGEST_REAL_EXPONENT:
         raise InadmissibleError
     return _mp.exp(value)
@@ -376,7 +376,7 @@ def _rough_step(J: list[list[Any]], f: list[Any]) -> list[Any] | None:
 
 
 def _smallest_step(point: Any, J: list[list[Any]], f: list[Any]) -> list[Any] | None:
-    """The smallest dx with J dx = −f; None where there is none. J of shape (m, n), f of shape (m,).
+    """The smallest dx with J dx = −f; None if there is none. J of shape (m, n), f of shape (m,).
 
     It is −Jᵀ y with J Jᵀ y = f. Where there are more equations than unknowns Jᵀ J dx = −Jᵀ f is the smaller system; it
     always has solutions, which have to be tried, unless J is so steep that rounding leaves none.

@@ -155,7 +155,7 @@ def contradiction(constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbo
 
 
 def _explicit(blocks: Sequence[SolvedBlock], coordinates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
-    """s = E for the coordinates that occur linearly in their constraint, as far as E is short."""
+    """Explicit solutions s = E for coordinates that occur linearly in their constraint, if E is short."""
     rules: dict[sp.Symbol, sp.Expr] = {}
     for block in blocks:
         if len(block.unknowns) != 1 or len(block.constraints) != 1 or block.unknowns[0] not in coordinates:
@@ -186,7 +186,7 @@ def _contradicts(block: SolvedBlock, fresh: Fresh) -> bool:
 
 
 def _roots_of_shared(order: SolutionOrder) -> int:
-    """How many constraints have roots of what earlier ones have fixed: k of them exist at 2^-k of a field's points."""
+    """The number of constraints with roots of already fixed values; k such roots exist at 2^-k of a field's points."""
     blocks = zip(order.blocks, order.own, strict=True)
     return sum(not own and any(_has_root(f) for f in b.constraints) for b, own in blocks)
 

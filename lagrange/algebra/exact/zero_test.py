@@ -216,7 +216,7 @@ class Surface(Sampler):
         return point
 
     def _vanishes_really(self, node: int, walls: Sequence[int]) -> bool | None:
-        """Whether a node vanishes at real points, also beside walls (`walls`), where there are signs.
+        """Whether a node vanishes at real points, including points near sign changes (`walls`).
 
         False is certain, True to sixty digits; None: there are no such points.
         """
@@ -308,7 +308,7 @@ def agreed(
     settles: Callable[[T], bool] = lambda _: False,
     prepare: Callable[[Point], Point] = lambda point: point,
 ) -> T | None:
-    """The result of `evaluate` at random points of a surface, if all agree; None where they do not: undecided.
+    """The result of `evaluate` at random points of a surface, if all agree; None if they do not: undecided.
 
     expressions  those that it evaluates
     settles      whether one real point with this result is enough, as a counterexample is

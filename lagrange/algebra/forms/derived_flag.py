@@ -67,7 +67,7 @@ class Flag:
 
     @property
     def bound(self) -> int | None:
-        """An upper bound of `integrable_rank`, None where nothing is known."""
+        """An upper bound of `integrable_rank`, None if nothing is known."""
         return self.ranks[-1] if self.ranks else None
 
 
@@ -212,7 +212,7 @@ def kernel(ring: JetRing, rows: JetMatrix, columns: Sequence[int], order: int) -
 
 
 def derived(ring: JetRing, d: Distribution) -> Distribution | None:
-    """D + [D, D], of one order less; None where the order does not suffice."""
+    """D + [D, D], of one order less; None if the order does not suffice."""
     if not d.bound:
         return d
     if d.order == 0:

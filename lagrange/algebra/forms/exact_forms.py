@@ -138,7 +138,7 @@ def _is_sign_of_size(e: sp.Expr) -> bool:
 
 
 def _steady(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
-    """The expression without v, if it does not depend on it: sin² v + cos² v is 1. None where it does."""
+    """The expression without v, if it does not depend on it: sin² v + cos² v is 1. None if it does."""
     rate = sp.diff(e, v)
     if count_operations(rate) > LARGEST_INTEGRAND or not vanishes(rate):
         return None

@@ -115,7 +115,7 @@ class SampledValues:
 
     def drawn(self, use: Callable[[list[Any], Point], T], kept: Point | None = None, keep: Collection[sp.Symbol] = ()
               ) -> tuple[T, Point]:  # fmt: skip
-        """The result of `use` for the values at a new point, where the symbols `keep` are as at the point `kept`."""
+        """The result of `use` for values at a new point that agrees with `kept` in the symbols `keep`."""
         symbols = [s for s in self._symbols if s not in keep]
         start = kept or self._first
         for _ in range(DRAWS):

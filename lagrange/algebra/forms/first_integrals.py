@@ -92,7 +92,7 @@ def _moving(s: sp.Symbol, slots: Slots) -> bool:
 
 
 def _plain(forms: Sequence[Form], slots: Slots) -> list[sp.Symbol]:
-    """The coordinates; t where there is a dt or it occurs; the prescribed motions that occur."""
+    """The coordinates, t if it or a dt occurs, and the prescribed motions that occur."""
     symbols = {s for form in forms for a in form for s in a.free_symbols}
     timed = t in symbols or any(form[-1] != 0 for form in forms)
     return [*slots.coordinates, *([t] if timed else []), *(u for u in slots.prescribed if _occurs(u, symbols))]
@@ -225,7 +225,7 @@ class SampledForms:
         self._known.append([self.graph.node(a) for a in form])
 
     def gradient(self, point: FieldPoint, function: int) -> list[tuple[int, int]]:
-        """The places and values of what is not written as 0 in a gradient."""
+        """The components of a gradient that are not identically zero, at a point, with their indices."""
         return [(i, point.at(n)) for i, n in self._gradients[function]]
 
     def is_new(self, point: FieldPoint, values: ResidueValues) -> bool:
@@ -403,7 +403,7 @@ def _rational(values: ResidueValues, trial: Trial) -> dict[int, sp.Expr] | None:
 
 
 def _values(trial: Trial, support: Sequence[int]) -> ResidueValues | None:
-    """The values of the c_k in another trial, None where the functions do not have just one such combination."""
+    """The values of the c_k in another trial, None if the functions do not have just one such combination."""
     combinations = trial.combinations(support)
     return combinations[0] if len(combinations) == 1 else None
 

@@ -52,7 +52,7 @@ from lagrange.core.symbols import Slots
 
 @record
 class PartialsComparison:
-    """∂a/∂k = ∂b/∂i, for the coefficients a of di and b of dk; `equal` is None where it is undecided."""
+    """∂a/∂k = ∂b/∂i, for the coefficients a of di and b of dk; `equal` is None if it is undecided."""
 
     variables: tuple[sp.Symbol, sp.Symbol]
     coefficients: tuple[sp.Expr, sp.Expr]
@@ -62,7 +62,7 @@ class PartialsComparison:
 
 @record
 class Exactness:
-    """All pairs of partial derivatives of one form; `exact` is None where it depends on an undecided pair."""
+    """All pairs of partial derivatives of one form; `exact` is None if it depends on an undecided pair."""
 
     comparisons: tuple[PartialsComparison, ...]
     exact: bool | None
@@ -75,7 +75,7 @@ class Exactness:
 
 @record
 class WedgeComponent:
-    """One component of ω ∧ dω: the coefficient of da ∧ db ∧ dc; `nonzero` is None where it is undecided."""
+    """One component of ω ∧ dω: the coefficient of da ∧ db ∧ dc; `nonzero` is None if it is undecided."""
 
     variables: tuple[sp.Symbol, sp.Symbol, sp.Symbol]
     coefficient: sp.Expr

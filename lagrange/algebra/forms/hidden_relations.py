@@ -62,7 +62,7 @@ class HiddenRelation:
     """function = const, which follows from the constraints.
 
     differential  d(function), shape (n + 1,)
-    combination   c_j with d(function) = Σ c_j ω_j, one for each independent form; None where it is long
+    combination   c_j with d(function) = Σ c_j ω_j, one for each independent form; None if it is long
     """
 
     function: sp.Expr
@@ -117,7 +117,7 @@ def hidden_relations(
 
 
 def _proposed(forms: Sequence[Form], known: Sequence[Form], surface: Surface, slots: Slots) -> Iterator[sp.Expr]:
-    """Functions that seem to stay constant, the simplest first. Numbers such as π are taken for parameters."""
+    """Candidates that appear to be constant, simplest first. Numbers such as π are treated as parameters."""
     # The coefficients are interpolated with rational numbers: π or √2 takes part as a parameter, and is put back.
     numbers = _irrational_numbers([a for form in (*forms, *known, surface.constraints) for a in form])
     back = {symbol: number for number, symbol in numbers.items()}

@@ -197,7 +197,7 @@ class IntegratingFactor:
     variables  (k,)
     form       the coefficients of μω, shape (k,)
     exactness  its pairs of partial derivatives, all equal
-    integral   F with dF = μω times a constant; None where it was not found in closed form
+    integral   F with dF = μω times a constant; None if it was not found in closed form
     nonzero    expressions that must not vanish for μ to be finite and not 0
     positive   expressions that must be positive for μ to be real
     """
@@ -390,7 +390,7 @@ def _has_differential(f: sp.Expr, form: Sequence[sp.Expr], variables: Sequence[s
 
 
 def _conditions(factor: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """The factors that must not vanish, and those that must be positive."""
+    """The factors required to be nonzero, and those required to be positive."""
     nonzero: list[sp.Expr] = []
     positive: list[sp.Expr] = []
     for part in _parts(factor):

@@ -83,7 +83,7 @@ def without_implied(candidates: Iterable[Alternative], slots: Slots) -> tuple[Al
 
 
 def _independent(alternative: Alternative, slots: Slots) -> Alternative | None:
-    """The alternative without affine forms that follow from the others; None where they contradict one another."""
+    """The alternative without affine forms that follow from the others; None if they contradict one another."""
     kept: list[sp.Expr] = []
     for form in alternative.forms:
         affine = [f for f in kept if is_affine(f, slots) and _is_kinematic(f, slots)]
@@ -204,7 +204,7 @@ class _Search:
         return self._inverted(f, sp.S.One, f, sp.S.Zero, depth)
 
     def _next(self, f: sp.Expr, why: Why, form: sp.Expr, depth: int, *conditions: SideCondition) -> list[Alternative]:
-        """f = 0 if and only if `form` = 0, which is reduced in turn."""
+        """The condition `form` = 0, equivalent to f = 0, which is then reduced itself."""
         step = Reduction(f, why, (form,), conditions)
         return [_after(step, a) for a in self.zeros(form, depth)]
 
@@ -454,7 +454,7 @@ class _Search:
         return value is not None and is_zero(value) is True
 
     def _on(self, f: sp.Expr, alternative: Alternative) -> sp.Expr | None:
-        """f where the affine forms of an alternative vanish; None where they are not solved for velocities."""
+        """f where the affine forms of an alternative vanish; None if they are not solved for velocities."""
         rule: dict[sp.Expr, sp.Expr] = {}
         for form in alternative.forms:
             form = form.xreplace(rule)

@@ -76,7 +76,7 @@ class Restriction:
 
 
 def restriction(form: Sequence[sp.Expr], geometric: Sequence[sp.Expr], slots: Slots) -> Restriction | None:
-    """The form on the surface, as far as it is solved by hand; None where no constraint is.
+    """The form on the surface, as far as it is solved by hand; None if no constraint is.
 
     form       (n + 1,) coefficients of dq_1 ... dq_n, dt
     geometric  functions f(q, t) whose vanishing is the geometric constraints

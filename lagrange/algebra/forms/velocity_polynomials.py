@@ -36,7 +36,7 @@ ZeroTest = Callable[[sp.Expr], bool | None]
 def polynomial(expression: sp.Expr, velocities: Sequence[sp.Symbol], is_zero: ZeroTest) -> Polynomial | None:
     """Exponents of the velocities -> coefficient, free of velocities and not zero.
 
-    None where it is not a polynomial, or exceeds MOST_VELOCITY_TERMS or HIGHEST_VELOCITY_DEGREE.
+    None if it is not a polynomial, or exceeds MOST_VELOCITY_TERMS or HIGHEST_VELOCITY_DEGREE.
     """
     try:
         expanded = _expanded(expression, velocities)
@@ -127,7 +127,7 @@ class Square:
 
 
 def squares(p: Polynomial, velocities: Sequence[sp.Symbol], is_zero: ZeroTest) -> tuple[Square, ...] | None:
-    """A quadratic polynomial as a sum of squares, as many as its rank. None where a zero could not be decided.
+    """A quadratic polynomial as a sum of squares, as many as its rank. None if a zero could not be decided.
 
     Where no velocity is squared, the product of two counts as a difference of squares: 4 a b = (a + b)² − (a − b)².
     """

@@ -96,7 +96,7 @@ def _from_exponentials(basis: Basis, values: dict[tuple[int, int], Complex], den
 
 
 def without_denominator(element: Element, index: int) -> Element:
-    """The element times the least power of a generator that leaves it without denominators of that kind."""
+    """The element multiplied by the lowest power of a generator that clears its denominators of that kind."""
     generator = element.basis.generators[index]
     least = min((value_at_place(m, index) for m, _ in element.terms), default=0)
     if least >= 0:

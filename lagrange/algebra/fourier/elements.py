@@ -313,7 +313,7 @@ class Basis:
         return index
 
     def half(self, frequency: int, fine: bool = False) -> int | None:
-        """Half of a frequency, if that is whole; `fine`: if it is a multiple of what occurs, such as θ/2."""
+        """Half of a frequency, if that is an integer; with `fine`, if it is a multiple of what occurs, such as θ/2."""
         steps = self.steps if fine else [UNIT] * len(self.steps)
         if all(value % (2 * steps[index]) == 0 for index, value in unpack(frequency)):
             return frequency // 2

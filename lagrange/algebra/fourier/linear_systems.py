@@ -83,7 +83,7 @@ class _Bounded:
 def solved_linear(
     rows: Sequence[Sequence[sp.Expr]], right: Sequence[sp.Expr], surface: Decides, tidy: Tidy | None = None
 ) -> list[sp.Expr | None] | None:
-    """The x with A x = b. An entry of x is None where the equations do not determine it; None where they are too large.
+    """The x with A x = b. An entry of x is None if the equations do not determine it; None if they are too large.
 
     The equations must not contradict one another.
     """
@@ -188,7 +188,7 @@ def _by_determinants(
     inverse: Sequence[Sequence[sp.Expr]],
     surface: Decides,
 ) -> list[sp.Expr | None] | None:
-    """One or two x by Cramer's rule in the ring of Fourier sums, y being None. None where the determinant is zero."""
+    """One or two x by Cramer's rule in the ring of Fourier sums, y being None. None if the determinant is zero."""
     size = len(inverse)
     if sum(count_operations(e) for row in rows for e in row) + sum(count_operations(b) for b in right) > MOST_WORK:
         return None
@@ -238,7 +238,7 @@ def _quotient(numerator: Element, denominator: Element, textbook: Textbook) -> s
 
 
 def _leading(row: Sequence[sp.Expr], x_found: Sequence[sp.Expr | None], tidied: Tidy) -> sp.Expr | None:
-    """b − Σ row_j x_j; None where an x_j that it needs is open, or where it is too large."""
+    """b − Σ row_j x_j; None if an x_j that it needs is open, or it is too large."""
     total = row[-1]
     for e, x in zip(row, x_found, strict=False):
         if e != 0:
@@ -252,7 +252,7 @@ def _leading(row: Sequence[sp.Expr], x_found: Sequence[sp.Expr | None], tidied: 
 
 
 def _inverse(matrix: Sequence[Sequence[sp.Expr]], surface: Decides) -> list[list[sp.Expr]] | None:
-    """M⁻¹ of a constant matrix, block by block; None where it is singular or large."""
+    """M⁻¹ of a constant matrix, block by block; None if it is singular or large."""
     inverse = [[sp.S.Zero] * len(matrix) for _ in matrix]
     tidied = _Bounded(tidy_quotient)
     blocks = _blocks(matrix)
@@ -338,7 +338,7 @@ def _pivot(
 
 
 def lowest_terms(numerator: Element, denominator: Element) -> tuple[Element, Element] | None:
-    """Two elements with the same quotient and nothing in common; None where nothing is, or where they are too long."""
+    """Two elements with the same quotient and nothing in common; None if nothing is, or they are too long."""
     if not numerator or max(len(numerator), len(denominator)) > LONGEST_CANCELLED:
         return None
     # Without the monomials no negative power is left for the polynomials; they are put back at the end.
@@ -432,7 +432,7 @@ def _with_its_sign(product: PowerProduct) -> PowerProduct:
 
 
 def _fraction(value: sp.Expr, ring: FourierRing) -> tuple[Element, Element | None]:
-    """Numerator and denominator as elements; the latter None where there are roots, or where they are too long."""
+    """Numerator and denominator as elements; the latter None if there are roots, or they are too long."""
     if count_operations(value) > MOST_QUOTIENT_OPERATIONS:
         return ring.zero, None
     above, below = (ring.from_sympy(e) for e in sp.fraction(sp.together(value)))
@@ -500,7 +500,7 @@ class _HalfAngles:
         return [self._element(p, over) for p in polynomials]
 
     def is_lower(self, polynomials: list[Any]) -> bool:
-        """Whether they have a power of 1 + cos θ in common, which is nothing but 2/(1 + u²)."""
+        """Whether the elements share a power of 1 + cos θ, which is only 2/(1 + u²) in disguise."""
         return any(n < highest for n, highest in zip(self._over(polynomials), self.highest, strict=True))
 
     def _over(self, polynomials: list[Any]) -> list[int]:

@@ -67,7 +67,7 @@ def part_at(places: Iterable[int], width: int) -> Callable[[int], int]:
 
 
 def lowest(monomials: Iterable[int]) -> int:
-    """The largest monomial that leaves no negative exponent: 1/r of a/r + b, r of a r + b r²."""
+    """The largest monomial whose removal leaves no negative exponents: 1/r of a/r + b, r of a r + b r²."""
     least: dict[int, int] | None = None
     for monomial in monomials:
         powers = dict(unpack(monomial))

@@ -177,7 +177,7 @@ class FourierRing(Basis):
         return product
 
     def _root(self, element: Element, p: int, q: int) -> Element:
-        """element ** (p/q): what is known to be positive is taken out of the root."""
+        """element ** (p/q), with factors known to be positive extracted from the root."""
         # √(m² x) is m √x for a positive m; √(x²) is |x| and stays under the root.
         number, monomial = element.content()
         outside = {i: e for i, e in unpack(monomial) if self.generators[i].expression.is_positive}
@@ -269,7 +269,7 @@ class FourierRing(Basis):
         return not self._cleared(element)
 
     def numerator(self, element: Element) -> Element:
-        """The element times the least powers of its denominators, those that are sums or trigonometric.
+        """The element multiplied by the lowest powers of those denominators that are sums or trigonometric.
 
         y'' + y² y''/(l² - y²) becomes l² y''. Powers of symbols, 1/r, are left.
         """
@@ -310,7 +310,7 @@ class FourierRing(Basis):
     def collect(self, element: Element, symbols: Iterable[sp.Symbol]) -> dict[tuple[int, ...], Element]:
         """The coefficients of the products of powers of the symbols, by the exponents.
 
-        Raises ValueError where a symbol occurs under a root, in a denominator or in a function.
+        Raises ValueError if a symbol occurs under a root, in a denominator or in a function.
         """
         chosen = tuple(symbols)
         places = [self.find(s) for s in chosen]
@@ -323,7 +323,7 @@ class FourierRing(Basis):
     def linear(self, element: Element, symbols: Sequence[sp.Symbol]) -> tuple[list[Element], Element]:
         """The coefficients of the symbols, and the rest: element = Σ coefficient · symbol + rest.
 
-        Raises ValueError where the element is not linear in the symbols.
+        Raises ValueError if the element is not linear in the symbols.
         """
         coefficients, rest = [self.zero] * len(symbols), self.zero
         for exponents, part in self.collect(element, symbols).items():
@@ -338,7 +338,7 @@ class FourierRing(Basis):
     def by_degree(self, element: Element, symbols: Collection[sp.Symbol]) -> dict[int, Element]:
         """The terms by their total degree in the symbols.
 
-        Raises ValueError where a symbol occurs under a root, in a denominator that is a sum, or in a function.
+        Raises ValueError if a symbol occurs under a root, in a denominator that is a sum, or in a function.
         """
         inside = self._inside(element) & set(symbols)
         if inside:

@@ -130,7 +130,7 @@ def sum_of(terms: Iterable[PowerProduct]) -> sp.Expr:
 
 
 def are_summands(terms: Collection[PowerProduct]) -> bool:
-    """Whether SymPy leaves the sum as these products, one summand each, and takes none of them for another.
+    """Whether SymPy keeps the sum as these products, one term each, and identifies none of them with another.
 
     It multiplies 2 (a + b) out, joins powers and like terms, and turns the sign of a base; then the answer is no.
     """

@@ -304,7 +304,7 @@ class Textbook:
         return sp.Add(*summands)
 
     def coefficients(self, element: Element) -> Collection[Element]:
-        """What stands beside each product of accelerations, velocities and unknowns."""
+        """The coefficient of each product of accelerations, velocities and unknowns."""
         return element.by_exponents(self._dynamic.places).values()
 
     def product(self, element: Element) -> PowerProduct:

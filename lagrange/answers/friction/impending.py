@@ -157,7 +157,7 @@ def _foreign(alternative: Sequence[Fragment], motion: ImpendingMotion, reference
 
 
 def one_a_line(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fragment, ...]]:
-    """The equations about positions as alternatives, each with all that are about forces."""
+    """Alternatives, each consisting of one equation for positions and all equations for forces."""
     motions = [m for v in solution.views for m in v.impending or ()]
     newton = solution.law.newton if solution.law is not None else None
     names = set().union(*(names_of_forces(m, newton) for m in motions))
@@ -193,7 +193,7 @@ def _symbols(b: Branch) -> set[sp.Symbol]:
 
 @record
 class ForcesPutIn:
-    """One alternative of an answer with the reactions of a motion put in.
+    """One alternative of an answer, with the reactions of a motion substituted.
 
     positions  its equations without reactions
     balance    what the equations with reactions state about the position
@@ -231,7 +231,7 @@ def _used(reading: Reading) -> set[sp.Symbol]:
 
 
 def names_of_forces(motion: ImpendingMotion, newton: Newton | None) -> set[sp.Symbol]:
-    """The names of reactions and of the friction forces, which may stand in equations about forces."""
+    """The names of reactions and friction forces that may occur in equations for forces."""
     reactions = newton.reactions if newton is not None else ()
     named = {s for r in reactions for s in (r.multiplier, r.given, r.symbol) if s is not None}
     return named | {s for c in motion.contacts for s in c.components}

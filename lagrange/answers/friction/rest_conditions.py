@@ -320,7 +320,7 @@ def _other_limit(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapp
 
 
 def _side_of_one(given: Sequence[_Stated], parts: Sequence[_Stated]) -> tuple[sp.Symbol, bool] | None:
-    """The letter that a condition limits, of those in all that is stated, and whether from above; None: neither."""
+    """The stated letter that a condition bounds, and whether from above; None if there is no such letter."""
     [part] = parts
     for s in sorted(set.intersection(*(_symbols(g.slack) for g in given)), key=str):
         rate = part.slack.diff(s)
@@ -386,7 +386,7 @@ def _are_of_one_case(given: Sequence[_Stated], cases: Sequence[Sequence[_Stated]
 
 
 def _by_signs(case: Sequence[_Stated]) -> Iterator[Sequence[_Stated]]:
-    """A case with a modulus as two, one for each sign of what it contains."""
+    """A case that contains an absolute value as two cases, one for each sign of its argument."""
     moduli = set[sp.Expr]().union(*(c.slack.atoms(sp.Abs) for c in case))
     if len(moduli) != 1:
         yield case
@@ -443,7 +443,7 @@ def _holds_if_positive(missing: Sequence[_Stated], given: Sequence[_Stated]) -> 
 
 
 def _multiplied_out(s: _Stated) -> _Stated:
-    """P ≤ W (tan α + μ)/(1 − μ tan α) as (1 − μ tan α) P ≤ W (tan α + μ): it is meant for a positive divisor."""
+    """P ≤ W (tan α + μ)/(1 − μ tan α) as (1 − μ tan α) P ≤ W (tan α + μ), which assumes a positive divisor."""
     slack = sp.expand_trig(s.slack) if s.slack.has(sp.atan) else s.slack
     divisors = {p.base for p in slack.atoms(sp.Pow) if p.exp == -1 and p.base.is_Add}  # as they are written
     open_ = [f for f in divisors if Signs(_symbols(f)).of(f) is None]

@@ -46,7 +46,7 @@ def name_of(force: ForceShare) -> str:
 
 
 def exchanged_momentum(m: Mechanics) -> Iterator[Variation]:
-    """The velocity of mass that leaves or joins, taken as another one; T with the mass, and no momentum with it."""
+    """Another velocity of the mass that leaves or joins, or a variable mass in T whose exchange carries no momentum."""
     configuration = m.configuration
     places = {p.name: p for p in configuration.points}
     for mass in configuration.variable_masses:
@@ -121,7 +121,7 @@ def force_left_out(m: Mechanics) -> Iterator[Variation]:
 
 
 def carried_weight_left_out(m: Mechanics) -> Iterator[Variation]:
-    """A weight acts on the coordinates of its own body alone, and not on those of what carries it."""
+    """A weight acts on the coordinates of its own body only, and not on those of the bodies that carry it."""
     bound = {p.name: carriers(p, m) for p in m.particles}
     kind = AppliedForceKind.WEIGHT
     if not m.particles and not m.of_kind(kind):  # at rest weights may be given as forces, of points without mass

@@ -122,7 +122,7 @@ def exchanged(m: Mechanics) -> Iterator[Variation]:
 
 
 def left_out(m: Mechanics) -> Iterator[Variation]:
-    """A parameter, or a prescribed motion, is missing: the equations of the special case in which it is zero."""
+    """A parameter or prescribed motion is missing: these are the equations of the special case in which it is zero."""
     for u in m.slots.prescribed:
         rates = {prime(u): sp.S.Zero, prime(u, 2): sp.S.Zero}
         yield Variation(f"for a constant {u}: {u}' is zero in them", f"{u}, which changes in time", values=rates)
@@ -132,7 +132,7 @@ def left_out(m: Mechanics) -> Iterator[Variation]:
 
 
 def surface_at_rest(m: Mechanics) -> Iterator[Variation]:
-    """A surface that moves, f(x − u t, y, z) = c, is taken as fixed: f(x, y, z)."""
+    """A moving surface, f(x − u t, y, z) = c, is treated as fixed: f(x, y, z)."""
     entries = [e for row in m.configuration.rows for e in row.coefficients]
     moved = sorted({f for e in entries for f in e.atoms(Unspecified) if any(a.has(t) for a in f.arguments)}, key=str)
     rule: dict[sp.Basic, sp.Basic] = {}
@@ -164,7 +164,7 @@ def one_for_another(m: Mechanics) -> Iterator[Variation]:
 
 
 def length_for_coordinate(m: Mechanics) -> Iterator[Variation]:
-    """A length that changes, such as that of a spring, is taken for a given one in one of the equations."""
+    """A variable length, such as that of a spring, is treated as given in one of the equations."""
     units = dict(m.units)
     lengths = [p for p in _parameters(m) if units.get(p) in ("m", "cm", "mm", "ft")]
     for q in m.slots.coordinates:
@@ -284,7 +284,7 @@ def other_angular_velocity(m: Mechanics) -> Iterator[Variation]:
 
 
 def moved_at_another_rate(m: Mechanics) -> Iterator[Variation]:
-    """What a constraint makes move with something else moves faster or slower by a factor, as a movable pulley does."""
+    """A motion prescribed by a constraint is too fast or too slow by a factor, as with a movable pulley."""
     rotating = {r.name for r in m.rotations}
     for p in m.particles if len(m.inertias) > 1 and m.configuration.expressed else ():
         attached = [f for f in m.forces if p.name in f.on]

@@ -64,7 +64,7 @@ def frame_at_rest(m: Mechanics) -> Iterator[Variation]:
 
 
 def velocity_left_out(m: Mechanics) -> Iterator[Variation]:
-    """What one coordinate adds to the velocity of a particle, or of all that it carries, is omitted."""
+    """The contribution of one coordinate to the velocity of a particle, or of everything it carries, is omitted."""
     slots = m.slots
     for i, v in enumerate(slots.velocities):
         carried = [p for p in m.particles if i in p.moving and len(p.moving) > 1]
@@ -140,7 +140,7 @@ def _lacking(part: Inertia, axis: int, indices: tuple[int, ...]) -> Inertia:
 
 
 def constant_coordinate(m: Mechanics) -> Iterator[Variation]:
-    """A coordinate that changes is taken as constant: its velocity and acceleration are missing."""
+    """A variable coordinate is treated as constant: its velocity and acceleration are missing."""
     for i, q in enumerate(m.slots.coordinates if len(m.slots.coordinates) > 1 else ()):
         still = m.inertia(lambda p, i=i: replace(p, still=(i,)))  # type: ignore[misc]
         yield Variation(
@@ -318,7 +318,7 @@ def gradient_left_out(m: Mechanics) -> Iterator[Variation]:
 
 
 def gradient_reversed(m: Mechanics) -> Iterator[Variation]:
-    """∂T/∂q has the wrong sign, or a constant momentum was put into L."""
+    """∂T/∂q has the wrong sign, or a conserved momentum was substituted into L."""
     changed = m.inertia(lambda i: replace(i, gradient=sp.S.NegativeOne))
     clause = "with the sign of dT/dq reversed, as if a constant momentum were put into L before differentiating"
     yield Variation(clause, "the sign of dT/dq", changed)
@@ -447,7 +447,7 @@ def sum_of_angles(m: Mechanics) -> Iterator[Variation]:
 
 
 def angles_small_in_energy(m: Mechanics) -> Iterator[Variation]:
-    """The angles are taken as small in T alone: its coefficients are those at zero."""
+    """The small-angle approximation is made in T alone, whose coefficients are those at zero."""
     rule: dict[sp.Basic, sp.Basic] = dict.fromkeys(_angles(m), sp.S.Zero)
     if any(q in s.free_symbols for i in m.inertias for c in i.columns for s in c for q in rule):
         small = m.inertia(lambda i: replace(i, columns=_rewritten(i, rule)))
@@ -456,7 +456,7 @@ def angles_small_in_energy(m: Mechanics) -> Iterator[Variation]:
 
 
 def radius_for_distance(m: Mechanics) -> Iterator[Variation]:
-    """The length itself for the distance from an axis, l for l sin(theta), in the velocities of what has it."""
+    """A length is used in velocities instead of the distance from the axis: l for l sin(theta)."""
     found: dict[tuple[int, sp.Expr], list[str]] = {}
     for p in m.particles:
         for i in p.moving:
@@ -539,7 +539,7 @@ def _moved(m: Mechanics, rule: dict[sp.Basic, sp.Basic], words: str) -> Iterator
 
 
 def constraint_in_energy(m: Mechanics) -> Iterator[Variation]:
-    """A constraint on velocities is put into T before it is differentiated."""
+    """A constraint on velocities is substituted into T before T is differentiated."""
     configuration = m.configuration
     rows = configuration.rows
     if not rows or not any(row.finite is None for row in rows) or not configuration.constrained.is_pfaffian:

@@ -84,7 +84,7 @@ def _letters(
 
 
 def explained_reaction(claim: sp.Expr, models: Models) -> str:
-    """What a wrong reaction is, in a sentence; empty if that is not found."""
+    """A sentence that identifies a wrong reaction; empty if it is not recognised."""
     try:
         states = models.states([claim])
         slots = models.system.configuration.slots
@@ -220,7 +220,7 @@ def claim_holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
 
 
 def explained_frequencies(claims: Sequence[sp.Expr]) -> Iterator[tuple[str, list[sp.Expr]]]:
-    """What wrong frequencies may be, each with the frequencies that were meant then."""
+    """Explanations of wrong frequencies, each with the frequencies that it implies."""
     nonzero = any(c != 0 for c in claims)
     for sentence, change in _MEANT if nonzero else ():
         yield sentence, [c if c == 0 else change(c) for c in claims]

@@ -154,7 +154,7 @@ class Mechanics:
     speeds: tuple[Speed, ...] = ()
 
     def may_be_exchanged(self, a: sp.Symbol, b: sp.Symbol) -> bool:
-        """Whether two parameters are of one kind, as far as their units tell."""
+        """Whether two parameters are of the same kind, judging by their units."""
         unit_of: dict[sp.Symbol, str] = dict(self.units)
         return unit_of.get(a, "") == unit_of.get(b, "")
 
@@ -178,12 +178,12 @@ class Mechanics:
         return tuple(f for f in self.forces if f.kind in kinds)
 
     def inertia(self, change: Callable[[Inertia], Inertia | None]) -> Mechanics:
-        """The system with every kinetic energy changed; None leaves it out."""
+        """The system with `change` applied to every kinetic energy; None omits one."""
         changed = (change(i) for i in self.inertias)
         return replace(self, inertias=tuple(i for i in changed if i is not None))
 
     def force(self, change: Callable[[ForceShare], ForceShare | None]) -> Mechanics:
-        """The system with every applied force changed; None leaves it out."""
+        """The system with `change` applied to every applied force; None omits one."""
         changed = (change(f) for f in self.forces)
         return replace(self, forces=tuple(f for f in changed if f is not None))
 

@@ -164,7 +164,7 @@ def _other_functions(wave: sp.Expr) -> Iterator[tuple[sp.Expr, str]]:
 def other_waves(
     wrong: Sequence[Sequence[Reading]], angles: Collection[sp.Symbol]
 ) -> Iterator[tuple[str, list[tuple[Reading, ...]]]]:
-    """One equation with a sine or cosine exchanged, or with the sine of an angle that stands there by itself."""
+    """One equation with sine and cosine exchanged, or with an angle that occurs alone replaced by its sine."""
     if [len(r.components) for a in wrong for r in a] != [1]:
         return
     [[reading]] = wrong

@@ -31,7 +31,7 @@ NO_DEPENDENCE = "the right answer does not depend on"
 
 @record
 class _Change:
-    """What is lost: factors of T, ΔU, A and B v², whether v is taken as zero, and another T_0."""
+    """The omission: factors of T, ΔU, A and B v², whether v is treated as zero, and a different T_0."""
 
     said: str
     kinetic: sp.Expr = sp.S.One
@@ -394,7 +394,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
 
 
 def _tends_to(value: sp.Expr, p: sp.Symbol, claim: sp.Expr) -> bool:
-    """Whether a value tends to a claim as p → 0: as seen at two random states, at a very small p."""
+    """Whether a value tends to a claim as p → 0, judged at two random states with a very small p."""
     draw = Random(1)
     for _ in range(2):
         state = {s: sp.Rational(draw.randint(200, 900), 500) for s in sorted(value.free_symbols, key=str)}

@@ -364,7 +364,7 @@ class _Search:
         return Explanation(name, variation.clause, f"this is an equation {variation.clause}", variation.place, False)
 
     def _one_for_another(self, n: int) -> Explanation | None:
-        """The explanation by a parameter that stands for another one everywhere in an equation: l_1 for l_2."""
+        """The explanation that one parameter replaces another throughout an equation: l_1 for l_2."""
         system, used = self.models.system, self.equations[n].free_symbols
         slots = system.configuration.slots
         unknowns = {*slots.coordinates, *slots.prescribed, *system.multipliers, t}

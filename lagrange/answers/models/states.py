@@ -123,7 +123,7 @@ class ModelState:
         return self._sum([[f * x for x in row] for f, row in zip(factors, rows, strict=True)])
 
     def share(self, part: Inertia | ForceShare) -> list[NumberRow]:
-        """What a part adds to each E_k, shape (n, len(unknowns) + 1)."""
+        """The contribution of a part to each E_k, shape (n, len(unknowns) + 1)."""
         known = self._shares.get(part)
         if known is None:
             known = self._inertia(part) if isinstance(part, Inertia) else self._force(part)

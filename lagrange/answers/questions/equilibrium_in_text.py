@@ -88,7 +88,7 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
 def at_stated_positions(
     answer: Sequence[Fragment], stated: Sequence[Fragment], verdict: AnswerVerdict, solution: Solution
 ) -> AnswerVerdict:
-    """The verdict on frequencies not wrong everywhere: wrong where one stands after a position, and is not its."""
+    """The verdict on frequencies of which some are right: wrong if one is given for a position that has another."""
     from lagrange.answers.questions.frequencies import check_frequencies
     from lagrange.answers.written.working import understood
 

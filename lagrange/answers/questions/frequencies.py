@@ -114,7 +114,7 @@ class EquilibriumPoint:
         return f"that is the frequency of {alone} with the other coordinates held fast"
 
     def of_one_term(self, claim: sp.Expr, values: Values) -> str:
-        """Which term or factor is wrong in the square of a frequency, where there is one; a sentence, or empty."""
+        """A sentence naming the wrong term or factor in the square of a frequency; empty if not exactly one is."""
         from lagrange.answers.models.questions import explained_value
 
         if len(self.oscillations.free) != 1:
@@ -241,7 +241,7 @@ def check_frequencies(
 def _asked_by_the_file(
     solution: Solution, places: Sequence[EquilibriumPoint], values: dict[sp.Symbol, sp.Rational], reference: Reference
 ) -> bool:
-    """Whether the file states frequencies of its own, and all of them are those of known equilibria.
+    """Whether the file states frequencies itself, and all of them belong to known equilibria.
 
     Then these are what is asked for, although there may be other equilibria.
     """
@@ -357,7 +357,7 @@ def _is_complete(f: Linearization) -> bool:
 
 
 def _one_value(fragment: Fragment, reference: Reference, what: str, cure: str) -> tuple[str, sp.Expr]:
-    """The name before the first `=`, if there is one, and the value."""
+    """The name before the first `=`, if any, and the value."""
     stated = statement(fragment, replace(reference.scope, decimals=""), reference.declared)
     if len(stated.sides) > 1:
         raise ProblemError(Diagnostic("unexpected-equation", f"{what} is one value", fragment.whole, help=cure))
@@ -432,9 +432,9 @@ def _degrees(place: EquilibriumPoint) -> Iterator[int]:
 class _Exponents:
     """What can be stated of the modes at one equilibrium: their ω², or their decay rates.
 
-    exact    in closed form; None where not all are
+    exact    in closed form; None if not all are
     own      what ω² would be without damping, as far as known
-    numbers  with the values of the parameters; None where some have none
+    numbers  with the values of the parameters; None if some have none
     zero     whether zero is one of them: it may be stated, and omitted
     """
 
@@ -445,7 +445,7 @@ class _Exponents:
     zero: bool
 
     def has(self, claim: sp.Expr, squared: bool) -> int | None:
-        """The index of a stated value, or _ZERO; −1 where it is none of them, None where that is undecided."""
+        """The index of a stated value, or _ZERO; −1 where it is none of them, None if that is undecided."""
         if claim == 0 and self.zero:
             return _ZERO
         undecided = False
@@ -514,7 +514,7 @@ def _damped(f: Linearization, reference: Reference, *, rates: bool) -> Iterator[
 
 
 def _different(exact: Sequence[sp.Expr]) -> Iterator[sp.Expr]:
-    """Without those that are equal to an earlier one, and without zero."""
+    """The nonzero values, each once."""
     kept: list[sp.Expr] = []
     for e in exact:
         if e != 0 and not any(vanishes_or_not(e - k) for k in kept):
@@ -525,7 +525,7 @@ def _different(exact: Sequence[sp.Expr]) -> Iterator[sp.Expr]:
 def _in_numbers(
     s: SmallOscillations, values: dict[sp.Symbol, sp.Rational], *, rates: bool
 ) -> tuple[sp.Expr, ...] | None:
-    """The decay rates, or the frequencies, of the exponents in numbers; None where a parameter has no value."""
+    """The decay rates, or the frequencies, of the exponents in numbers; None if a parameter has no value."""
     with mpmath.workdps(60):
         tables = [[[e.xreplace(values) for e in row] for row in x]
                   for x in (s.system.mass, s.system.damping, s.system.stiffness)]  # fmt: skip

@@ -102,9 +102,9 @@ def _judged_entry(
 
 
 def _values(name: str, fragment: Fragment, motion: ImpulsiveMotion) -> Iterator[tuple[sp.Expr, str]]:
-    """The derived value under a name, and what an impulse may be instead; none where it is not determined.
+    """The derived value under a name, and what an impulse may be instead; none if it is not determined.
 
-    Raises ProblemError where the name means nothing.
+    Raises ProblemError if the name means nothing.
     """
     velocities = {q.name: v for q, v in motion.all_velocities.items()}
     plain = name.strip().replace("′", "'").removesuffix("'")
@@ -127,7 +127,7 @@ def _values(name: str, fragment: Fragment, motion: ImpulsiveMotion) -> Iterator[
 
 
 def _solved(equation: sp.Expr, name: str, motion: ImpulsiveMotion) -> sp.Expr | None:
-    """What an equation gives for the named velocity or impulse, if it is linear in it."""
+    """The named velocity or impulse solved from an equation that is linear in it."""
     plain = name.strip().removesuffix("'")
     coordinate = next((q for q in motion.all_velocities if q.name == plain), None)
     impulse = next((i.symbol for i in motion.impulses if name in (i.name, str(i.symbol))), None)
@@ -321,7 +321,7 @@ def _named(
 
 
 def _missing(claims: Sequence[sp.Expr], motion: ImpulsiveMotion) -> list[str]:
-    """The coordinates whose velocities just after the impact the equations leave open."""
+    """The coordinates whose velocities just after the impact are not determined by the equations."""
     velocities, impulses = motion.slots.velocities, list(_impulses(motion))
     columns = [*velocities, *impulses]
     unchanged = [motion.surface.is_zero(a - b) is True for a, b in zip(motion.velocities, motion.before, strict=True)]

@@ -58,7 +58,7 @@ _HAMILTON = re.compile(
 
 
 def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
-    """The verdict on a text; what `judge` says of it if it is about nothing else. Raises ProblemError."""
+    """The verdict on a text; that of `judge` if the text is about nothing else. Raises ProblemError."""
     from lagrange.answers.questions.texts.beside_motion import with_results_beside
 
     return with_results_beside(answer, _judged(answer, solution, judge), solution)
@@ -102,7 +102,7 @@ def _judged(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
 
 def _only(verdict: AnswerVerdict, solution: Solution) -> Judgement:
-    """The verdict on an answer to one question, where there is nothing else."""
+    """The verdict on an answer to a single question, if the text contains nothing else."""
     return Judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,), problem=solution.problem)
 
 
@@ -220,7 +220,7 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
 
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
-    """The verdict on equations of motion, and on the frequencies beside them."""
+    """The verdict on equations of motion together with frequencies."""
     from lagrange.answers.questions.frequencies import check_frequencies
     from lagrange.answers.written.working import understood
 
@@ -306,7 +306,7 @@ def _is_characteristic(fragment: Fragment, reference: Reference) -> bool:
 
 
 def _is_unread(judged: Judgement) -> bool:
-    """Whether nothing of what was judged could be read."""
+    """Whether no part of the text could be read."""
     return bool(judged.each) and all(e.verdict is Verdict.UNREADABLE for e in judged.each)
 
 
@@ -339,7 +339,7 @@ def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
 
 
 def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement | None:
-    """The verdict on what stands beside right frequencies; None on equations of small oscillations, as working."""
+    """The verdict on what accompanies correct frequencies; None for the linearized equations, which are working."""
     from lagrange.answers.written.working import understood
 
     working = understood(rest, reference_of_solution(solution))
@@ -349,7 +349,7 @@ def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Jud
 
 
 def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
-    """The verdict on equations of motion, and on positions of equilibrium beside them."""
+    """The verdict on equations of motion together with positions of equilibrium."""
     failed: ProblemError | None = None
     first: Judgement | None = None
     try:
@@ -442,7 +442,7 @@ def _asked_in_formulas(answer: Sequence[Fragment], solution: Solution, judge: Ju
 
 
 def _has_wrong_value(answer: Sequence[Fragment], judged: Judgement, solution: Solution) -> bool:
-    """Whether a line beside right frequencies is a wrong answer to a question, and no definition."""
+    """Whether a line that accompanies correct frequencies is a wrong answer to a question, and not a definition."""
     if not any(a.name == "frequencies" for a in judged.others):
         return False
     lines = asked_in_text(answer, solution)

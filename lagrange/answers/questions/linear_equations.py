@@ -160,7 +160,7 @@ def _first_that_differs(
 
 
 def _slack(coefficient: sp.Expr, at: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """By how much a coefficient may differ because of its decimals."""
+    """The tolerance of a coefficient that is given in decimals."""
     return sp.Add(
         *(abs(as_written(coefficient.diff(d)).xreplace(at)) * d.half_width for d in decimals_in([coefficient]))
     ).evalf(30)

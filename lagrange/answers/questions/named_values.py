@@ -110,7 +110,7 @@ def text_in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[
 
 
 def stated_in_numbers(fragment: Fragment) -> tuple[Fragment, Fragment | None] | None:
-    """`v = sqrt(2*a*d) = 5.78 m/s` as v = 5.78 m/s, and v = sqrt(2*a*d); None where the last side is no such number.
+    """`v = sqrt(2*a*d) = 5.78 m/s` as v = 5.78 m/s, and v = sqrt(2*a*d); None if the last side is no such number.
 
     The last of three sides may lack its unit, which in LaTeX is often taken for a word.
     """
@@ -134,7 +134,7 @@ def _plain(text: str) -> str:
 
 
 def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
-    """The dimensions of the derived values; none where the file has too few units for them."""
+    """The dimensions of the derived values; none if the file has too few units for them."""
     known = dict.fromkeys(reference.values, NO_DIMENSION)  # a value without a unit is a number
     known |= dimensions_of_units(reference.units)
     values = [v for b in asked.branches for v in b.values if v.free_symbols]

@@ -83,7 +83,7 @@ def _why_not_integrable(
 
 
 def _together(name: str, parts: Mapping[str, bool | None], why: str = "") -> AnswerVerdict:
-    """The verdict on several statements, naming those that are not right, and why."""
+    """The verdict on several statements; it names the incorrect ones and says why they are wrong."""
     verdict = _agrees(False if False in parts.values() else None if None in parts.values() else True)
     named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
     heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
@@ -332,7 +332,7 @@ def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
 
 
 def stated_reactions(solution: Solution, compared: Sequence[AnswerVerdict]) -> tuple[tuple[sp.Expr, ...], ...]:
-    """The file's reactions `F = value` as they are written there, as far as they are right for F as it is derived."""
+    """The file's reactions `F = value` as written there, if they agree with the derived F."""
     answers, law = solution.problem.answers, solution.law
     judged = [p for a in compared if a.name == "reactions" for p in a.equations]
     if answers is None or law is None or not judged:

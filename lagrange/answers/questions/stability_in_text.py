@@ -103,7 +103,7 @@ def with_stability(
 
 
 def _claim(fragment: Fragment, reference: Reference) -> _Claim | None:
-    """The claim about stability beside an equation; None if there is none, or more than one."""
+    """The claim about stability that accompanies an equation; None unless there is exactly one."""
     words = getattr(fragment, "beside", "")
     matches = [*WORD.finditer(words)]
     if not matches or _AMBIGUOUS.search(words):
@@ -160,7 +160,7 @@ def _tried(
 
 
 def is_stable(hessian: sp.Matrix) -> bool | None:
-    """Whether a matrix of numbers is positive definite; None where that is not clear."""
+    """Whether a matrix of numbers is positive definite; None if that is not clear."""
     minors = [hessian[:n, :n].det() for n in range(1, hessian.rows + 1)]
     return None if any(abs(m) < CLEAR_STABILITY for m in minors) else all(m > 0 for m in minors)
 
@@ -203,7 +203,7 @@ def _places(
 def position_at(
     point: Mapping[sp.Expr, sp.Expr], coordinates: Sequence[sp.Symbol], state: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr] | None:
-    """The coordinates at a point of a branch, in numbers; None if it does not exist there, or leaves one open."""
+    """The coordinates at a point of a branch, as numbers; None if it does not exist or leaves one open."""
     named = {str(k): v for k, v in point.items()}
     position: dict[sp.Symbol, sp.Expr] = {}
     for q in coordinates:
@@ -219,7 +219,7 @@ def position_at(
 
 
 def _numbers(expressions: Sequence[sp.Expr], state: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
-    """The values of expressions; those that are no real numbers are missing."""
+    """The numerical values of expressions, without those that are not real numbers."""
     numbers = [e.xreplace(dict(state)).evalf() for e in map(sp.Add, expressions)]
     return [v for v in numbers if v.is_real and v.is_finite]
 

@@ -181,7 +181,7 @@ def _changed(components: Sequence[sp.Expr], solution: Solution) -> str:
 
 
 def _conditions(e: sp.Expr, configuration: Configuration) -> Sequence[sp.Expr]:
-    """What a statement says of states: without displacements, and f = const by its rate."""
+    """The conditions that a statement imposes on states: without displacements, with f = const differentiated."""
     e = configuration.rewritten(e)
     if CONSTANT in e.free_symbols:
         return (configuration.slots.time_derivative(e.xreplace({CONSTANT: sp.S.Zero})),)
@@ -223,7 +223,7 @@ def _missing(components: Sequence[sp.Expr], solution: Solution) -> int:
 
 
 def _coefficients(e: sp.Expr, columns: Sequence[sp.Symbol]) -> list[sp.Expr]:
-    """The coefficients of the displacements in what a statement says of them."""
+    """The coefficients of the displacements in a statement about them."""
     used = symbols_in(e)
     for kind in (variation, differential, prime):
         if any(kind(q) in used for q in columns):

@@ -290,7 +290,7 @@ def _rank_of_gradients(functions: Sequence[sp.Expr], configuration: Configuratio
 
 
 def _holds_for_displacements(c: ReferenceCandidate, components: Sequence[sp.Expr]) -> Judged:
-    """Whether equations between virtual displacements hold for all that the constraints admit."""
+    """Whether equations for virtual displacements hold for every displacement that the constraints admit."""
     read = [c.read(e) for e in components]
     parts = [without_displacements(e, c.configuration) for e in read]
     if any(part == (e,) and e != 0 for part, e in zip(parts, read, strict=True)):
@@ -331,7 +331,7 @@ _VELOCITIES = "it contains velocities: Hamilton's function is one of coordinates
 
 
 def check_hamiltonian_answer(stated: Fragment, solution: Solution) -> AnswerVerdict:
-    """The verdict on the stated Hamilton's function, in the coordinates in which it is right if there are any."""
+    """The verdict on a stated Hamiltonian, in the coordinates in which it is correct, if there are any."""
     derived = [v.hamiltonian for v in solution.views if v.hamiltonian is not None]
     if not derived:
         return AnswerVerdict(Verdict.UNDECIDED, name="hamiltonian", diagnosis=_NO_HAMILTONIAN)
@@ -376,7 +376,7 @@ def _verdict(claim: sp.Expr, derived: Hamiltonian, reference: Reference) -> tupl
 
 
 def _explained(claim: sp.Expr, derived: Hamiltonian, right: Callable[[sp.Expr], bool]) -> str:
-    """What a wrong function is instead, in a sentence; empty if that is not found."""
+    """A sentence that identifies a wrong function; empty if it is not recognised."""
     from lagrange.answers.models.letters import letter_variations
     from lagrange.answers.models.questions import explained_value
 

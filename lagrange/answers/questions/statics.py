@@ -101,7 +101,7 @@ def _in_one_sense(stated: Sequence[EquationVerdict], readings: Sequence[Reading]
 
 
 def _all_stated(stated: Sequence[EquationVerdict]) -> Verdict:
-    """The verdict on several equations; identities count where there is nothing else."""
+    """The verdict on several equations; identities count only if there is nothing else."""
     verdicts = {v.verdict for v in stated}
     return next((v for v in (*FIRST[:-1], Verdict.EQUIVALENT) if v in verdicts), Verdict.TRIVIAL)
 

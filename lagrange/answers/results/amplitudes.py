@@ -130,7 +130,7 @@ def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:
 def _other_drives(
     own: _Equations, drive: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]
 ) -> Iterator[tuple[str, _Equations]]:
-    """Without what a damper or a spring transmits of the motion of a support; the motion relative to the support."""
+    """Omissions: a support's motion not transmitted by a damper or spring; motion relative to the support."""
     for i, q in enumerate(coordinates):
         whole = sp.expand(drive[i])
         cosine, sine = whole.coeff(sp.I, 0), whole.coeff(sp.I, 1)

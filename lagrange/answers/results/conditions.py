@@ -485,7 +485,7 @@ _SLIPS = (
 
 
 def belt_meanings(derived: Collection[sp.Expr], coefficients: Collection[sp.Expr]) -> Iterator[LetterMeaning]:
-    """What the coefficient of a belt, or its law, is taken for; none where there is no belt."""
+    """Misreadings of a belt's coefficient or law; none if there is no belt."""
     powers = {w for e in derived for w in e.atoms(sp.exp)}
     logarithms = {w for e in derived for w in e.atoms(sp.log)}
     short = {w: 1 + w.args[0] for w in powers} | {w: w.args[0] - 1 for w in logarithms}

@@ -116,7 +116,7 @@ def _is(n: int) -> str:
 
 
 def explained_classes(wrong: Sequence[str], classification: Classification) -> str:
-    """Why stated classes are wrong, in a sentence; empty if nothing simple can be said."""
+    """A sentence that says why stated classes are wrong; empty if there is no simple reason."""
     return "; ".join(filter(None, (_explained_class(word, classification) for word in wrong)))
 
 

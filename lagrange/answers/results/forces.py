@@ -196,7 +196,7 @@ def _kept_sense(candidate: ReferenceCandidate, equation: sp.Expr, start: Mapping
 def right_as_far_as_stated(
     equations: list[Fragment], verdict: AnswerVerdict, reference: Reference
 ) -> AnswerVerdict | None:
-    """The verdict if each wrong equation is right under the condition that stands beside it; None if one is not."""
+    """The verdict if each wrong equation is correct under the condition stated with it; None if one is not."""
     judged = [*verdict.equations]
     for n, e in enumerate(judged):
         if e.verdict is not Verdict.WRONG:

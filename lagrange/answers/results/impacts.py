@@ -32,7 +32,7 @@ def explained_impact(
     problem: Problem,
     vanishes: Callable[[sp.Expr], bool | None],
 ) -> str:
-    """What a stated velocity, impulse or loss of energy is, in a sentence; empty if that is not found.
+    """A sentence that identifies a stated velocity, impulse or energy loss; empty if it is not recognised.
 
     value     the right one
     vanishes  whether an expression is zero in the position of the impact
@@ -191,7 +191,7 @@ class _Draw:
                       for row in self.rows]  # fmt: skip
 
     def energy(self, m: Mechanics) -> sp.Expr:
-        """2 T of the velocities just after, with the inertia of a changed problem."""
+        """Twice the kinetic energy just after the impact, with the inertia of a changed problem."""
         mass = self.numbers.sum([self.numbers.of_inertia(i) for i in m.inertias])
         v = self.after
         return sum((v[i] * v[j] * g for i, row in enumerate(mass) for j, g in enumerate(row[: len(v)])), sp.S.Zero)

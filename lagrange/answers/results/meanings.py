@@ -44,7 +44,7 @@ Substitution = Mapping[sp.Basic, sp.Expr]
 
 @record
 class LetterMeaning:
-    """What the letters of the right result are taken for; `clause` continues "this is the result"."""
+    """An interpretation of the letters in a correct result; `clause` continues "this is the result"."""
 
     clause: str
     rule: Substitution

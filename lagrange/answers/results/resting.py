@@ -430,8 +430,9 @@ def _reduced(e: sp.Expr) -> sp.Expr:
 
 
 def _is_plain(c: sp.Expr, m: Mechanics) -> bool:
-    """Whether a ratio of contributions is one that is forgotten or put in: of numbers, letters, sums of two letters and
-    functions of angles."""
+    """Whether a ratio of contributions is a plausible slip: made of numbers, letters, sums of two letters and functions
+    of angles.
+    """
     above, below = sp.fraction(c)
     factors = [f.as_base_exp()[0] for f in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)) if not f.is_Rational]
     short = all(

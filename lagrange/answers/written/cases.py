@@ -370,7 +370,7 @@ _JOINS = re.compile(
 def about_special_cases(
     equations: Sequence[tuple[Fragment, Reading]], reference: Reference
 ) -> tuple[set[int], set[int]]:
-    """Of equations in their order, the numbers of those that state a case, and of those that hold in one."""
+    """The indices of the equations that state a case, and of those that hold in one."""
     cases = {n for n, (f, r) in enumerate(equations) if _CASE.search(_before(f)) and _is_case(r, reference)}
     special: set[int] = set()
     for n in cases:
@@ -388,7 +388,7 @@ def about_special_cases(
 
 
 def _before(fragment: Fragment) -> str:
-    """The end of what precedes an equation on its line."""
+    """The end of the text that precedes an equation on its line."""
     span = fragment.span(0, len(fragment.text))
     text = span.source.text[: span.start]
     return text[max(text.rfind("\n") + 1, span.start - LONGEST_BEFORE_CASE) :]

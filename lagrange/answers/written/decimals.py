@@ -85,7 +85,7 @@ def _factors(e: sp.Expr) -> list[sp.Expr]:
 
 
 def remark_on(values: DecimalValues) -> str:
-    """What the decimals of a right equation are taken for."""
+    """The exact values assumed for the decimals of a correct equation."""
     changed = [d for d, v in values.items() if abs(v - d.written) > d.half_width / 10**6]
     shown = dict.fromkeys(f"{d.text} is taken as {sp.Float(values[d], _digits(d)):.{_digits(d)}g}" for d in changed)
     return f"{' and '.join(shown)}, rounded" if shown else ""

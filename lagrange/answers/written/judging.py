@@ -96,7 +96,7 @@ def _otherwise(
 
 @record
 class _Stated:
-    """What is needed to tell a wrong statement beside the equations of motion from a wrong equation."""
+    """The data needed to distinguish a wrong statement next to equations of motion from a wrong equation."""
 
     working: Working
     reference: Reference
@@ -215,7 +215,7 @@ def _has_acceleration(equation: Fragment) -> bool:
 
 
 def is_of_motion(equation: Fragment, reference: Reference) -> bool:
-    """Whether a statement is about what is asked for: it has an acceleration or a force of constraint."""
+    """Whether a statement belongs to the question: it contains an acceleration or a constraint force."""
     if not isinstance(equation, GivenEquation) or _has_acceleration(equation):
         return True
     components = equation.reading.components

@@ -136,7 +136,7 @@ _PLACE_BEFORE = re.compile(
 
 
 def has_sign_of_equality(line: str) -> bool:
-    """Whether a line has an equation: a `=`, or what stands for it."""
+    """Whether a line contains an equation: a `=`, or a notation equivalent to it."""
     return _OTHER_EQUALS.search(line) is not None or is_about(line)
 
 
@@ -168,7 +168,7 @@ def joined_lines(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
 
 
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
-    """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
+    """The equations of one line, each without accompanying words; `beside` are the words above it."""
     fragment = with_place_first(with_equality(fragment))
     if place := _PLACE_BEFORE.match(fragment.text):
         beside = f"{beside} {place[0]}"
@@ -228,7 +228,7 @@ def _in_other_shape(text: str) -> list[str]:
 
 
 def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
-    """The remarks on stability that stand after an equation, or before it if the first one stands before all."""
+    """The remarks on stability after an equation, or before it if the first remark precedes all equations."""
     signs = [m.start() for m in _EQUALS.finditer(text)]
     own = [s for s in signs if start <= s < stop]
     if not remarks or not own:
@@ -492,7 +492,7 @@ def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
 
 
 def in_pairs(fragment: Fragment) -> list[Draft]:
-    """`N = b = c` as N = b and N = c, each of which says what N is; none where there are not three to eight sides.
+    """`N = b = c` as N = b and N = c, each a value of N; none unless there are three to eight sides.
 
     `d/dt(∂L/∂x') = b = c`, whose first side may be the method quoted, is that and b = c.
     """

@@ -145,7 +145,7 @@ def other_names(
 
 
 def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr]:
-    """theta_0 as theta at rest, in statics; beside `x = R*phi + x_0`, which states x itself, x_0 is a constant."""
+    """theta_0 as theta at rest, in statics; with `x = R*phi + x_0`, which gives x itself, x_0 is a constant."""
     coordinates = {q.name: q for q in scope.slots.coordinates}
     at_rest: dict[str, sp.Expr] = {}
     for text in texts:
@@ -173,7 +173,7 @@ def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:
 
 
 def _is_acceleration(texts: Sequence[str], scope: Scope) -> bool:
-    """Whether `a` is an acceleration: in `m a = ...` or `a = g/2`, where nothing else says what it is."""
+    """Whether `a` is an acceleration: in `m a = ...` or `a = g/2`, unless it is defined otherwise."""
     if scope.role("a") is not Role.UNDECLARED:
         return False
     if any(_A_STATED.search(text) and not _has_foreign_rate(text, scope) for text in texts):
@@ -188,7 +188,7 @@ def _has_foreign_rate(text: str, scope: Scope) -> bool:
 
 
 def _is_speed(texts: Sequence[str], scope: Scope, reference: Reference) -> bool:
-    """Whether `v` is a velocity: where dv/dt occurs, and nothing says what it is."""
+    """Whether `v` is a speed: dv/dt occurs, and it is not defined otherwise."""
     known = scope.role("v") is not Role.UNDECLARED and "v" not in reference.parameters
     if known or _states_a_rate(re.compile("v"), texts):
         return False
@@ -196,7 +196,7 @@ def _is_speed(texts: Sequence[str], scope: Scope, reference: Reference) -> bool:
 
 
 def _is_squared_speed(texts: Sequence[str], scope: Scope) -> bool:
-    """Whether `v` occurs as v², in an energy or m v²/R, and nothing says what it is."""
+    """Whether `v` occurs as v², in an energy or in m v²/R, and is not defined otherwise."""
     if scope.role("v") is not Role.UNDECLARED or any(_V_IS.search(text) for text in texts):
         return False
     return any(_V_SQUARED.search(text) for text in texts)
@@ -229,7 +229,7 @@ def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
 
 
 def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
-    """`T(θ) = ...` as T = ...: what a quantity depends on, after its name alone on the left; `x1` as x_1."""
+    """`T(θ) = ...` as T = ..., without the arguments after a name alone on the left; `x1` as x_1."""
     fragment = _without_modulus(with_indices(fragment, scope), scope)
     match = _OF_COORDINATE.match(fragment.text)
     if match is None or scope.role(_plain(match["name"])) is not Role.SCALAR:
@@ -244,7 +244,7 @@ def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
 
 
 def _without_modulus(fragment: Fragment, scope: Scope) -> Fragment:
-    """`|F| = ...` as F = ..., whose sense is left open: the name of a force may stand for its opposite."""
+    """`|F| = ...` as F = ... with undetermined sign: the name of a force may denote its opposite."""
     match = _MODULUS.match(fragment.text)
     symbol = scope.scalar(scope.spelling(_plain(match["name"]))) if match is not None else None
     if match is None or symbol is None or symbol in scope.slots.coordinates or not isinstance(symbol, sp.Symbol):
@@ -288,12 +288,12 @@ def _defined(name: str, texts: Sequence[str]) -> bool:
 
 
 def has_word(word: str, text: str) -> bool:
-    """Whether a name occurs in a text by itself."""
+    """Whether a name occurs in a text as a whole word."""
     return re.search(rf"(?<![A-Za-z0-9_\\]){re.escape(word)}(?![A-Za-z0-9_])", text) is not None
 
 
 def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
-    """Whether a line says what a name is, `a_x = x''`."""
+    """Whether a line defines a name, as in `a_x = x''`."""
     for text in texts:
         sides = text.split("=")
         for side, other in ((sides[0], sides[-1]), (sides[-1], sides[0])):
@@ -308,7 +308,7 @@ _PRIMED = re.compile(r"[\s$&]*([A-Za-z](?:_?\w{1,8})?)['′]\s*&?=(?!=)")
 
 
 def with_primed_names(answer: Sequence[Fragment], parameters: Collection[str]) -> Sequence[Fragment]:
-    """`A' = A + m l²` of a constant A as a name of its own, A_prime, wherever it occurs."""
+    """`A' = A + m l²` with a constant A: A_prime as a separate name, wherever it occurs."""
     names = {m[1] for f in answer if (m := _PRIMED.match(f.text)) and m[1] in parameters}
     if not names:
         return answer
@@ -359,7 +359,7 @@ _OF_ENERGY = re.compile(
 
 
 def printed_names(reference: Reference, texts: Sequence[str] = ()) -> dict[str, sp.Symbol]:
-    """The short names of reactions that mean nothing else in the problem, and what the lines of an answer call one."""
+    """The short names of reactions that have no other meaning in the problem, and an answer's own name for one."""
     if reference.newton is None:
         return {}
     known = {*reference.declared, *reference.letters, *reference.scope.scalars, *reference.scope.vectors}
@@ -383,7 +383,7 @@ _NORMAL = re.compile(r"[\s$&]*((?:N|F_N|R)(?:_\{?[A-Za-z0-9]{1,2}\}?)?)\s*&?=(?!
 
 
 def lines_with(name: str, lines: Sequence[str]) -> list[int]:
-    """The lines in which a name occurs by itself, and not as a part of another."""
+    """The lines in which a name occurs as a whole word."""
     letters = [re.escape(c) for c, n in GREEK.items() if n == name] + [rf"\\{re.escape(name)}"] * (len(name) > 1)
     written = "|".join([rf"(?<![A-Za-z0-9_\\]){re.escape(name)}", *letters])
     pattern = re.compile(rf"(?:{written})(?![A-Za-z0-9_'(])")
@@ -391,7 +391,7 @@ def lines_with(name: str, lines: Sequence[str]) -> list[int]:
 
 
 def may_be_force(name: str, value: sp.Expr | None, texts: Sequence[str], reference: Reference) -> bool:
-    """Whether a name, stated to be `value` where it stands alone, may be the reaction and not an energy or a period."""
+    """Whether a name stated to equal `value`, alone on its side, may be the reaction and not an energy or a period."""
     if name != "T":
         return True
     if any(_OF_ENERGY.search(text) for text in texts):
@@ -460,7 +460,7 @@ def _is_number(letter: str, texts: Sequence[str]) -> bool:
 
 
 def defined_coordinate(fragment: Fragment, name: str, scope: Scope) -> sp.Expr | None:
-    """What a name means, as a coordinate of its own; None if an equation does not define it so."""
+    """A name as a new coordinate, from the equation that defines it; None if the equation does not."""
     slots = scope.slots
     own = sp.Symbol(name, real=True)
     reading = read_as_written(fragment, replace(scope, slots=replace(slots, coordinates=(*slots.coordinates, own))))
@@ -487,7 +487,7 @@ def defined_coordinate(fragment: Fragment, name: str, scope: Scope) -> sp.Expr |
 
 
 def solved_for(fragment: Fragment, name: str, scope: Scope) -> sp.Expr | None:
-    """What a name means by `2 δ = b/m`, or `m ω_0^2 = k`: one side is a multiple of it, or of its square."""
+    """A name solved from `2 δ = b/m` or `m ω_0^2 = k`, where one side is a multiple of it or of its square."""
     own = sp.Symbol(name, positive=True)
     reading = read_as_written(fragment, replace(scope, scalars={**scope.scalars, name: own}))
     if reading.error is not None or len(reading.sides) != 2:

@@ -62,7 +62,7 @@ _LABEL = re.compile(
 
 @dataclass
 class Line:
-    """One equation of the answer, as far as it has been understood; a `whole` one states alternatives."""
+    """One equation of the answer, as far as it has been parsed; a `whole` one states alternatives."""
 
     fragment: Fragment
     text: str
@@ -112,7 +112,7 @@ def in_place_of(fragment: Fragment, text: str) -> Fragment:
 
 
 def finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
-    """A draft of a fragment, with the words that stand beside that."""
+    """The draft as a fragment, with the accompanying words."""
     made = draft.finished(latex=latex and draft.text != draft.outer.text)
     beside = getattr(fragment, "beside", "")
     return replace(made, beside=beside) if isinstance(made, OneEquation) else made

@@ -57,7 +57,7 @@ def _errors(reading: Reading) -> tuple[bool, int]:
 
 
 def _notations(fragment: Fragment, scope: Scope) -> Iterator[Fragment]:
-    """The text in the notations in which it may be, each made and tried only if the one before it cannot be read."""
+    """The text in all notations it may be written in, each produced only if the previous one cannot be read."""
     if isinstance(fragment, GivenEquation) or len(fragment.text) > MAX_ANSWER_CHARACTERS:
         yield fragment
     elif is_latex(fragment):
@@ -104,7 +104,7 @@ def without_braces(draft: Draft) -> None:
 
 
 def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
-    """What can be read of one side in the first notation in which it can be. Raises the first ProblemError."""
+    """One side, parsed in the first notation that fits. Raises the first ProblemError."""
     first: ProblemError | None = None
     for candidate in _notations(side, scope):
         try:

@@ -100,7 +100,7 @@ def _with_marked(text: Fragment, scope: Scope) -> Scope:
 
 
 def _parts(text: Fragment) -> list[Fragment]:
-    """The statement, and the definitions after it, if all that is separated from it are definitions."""
+    """The statement and the definitions after it, provided that everything separated from it is a definition."""
     places = [(a, b) for a, b in cuts(text.text, _BEYOND) if text.text[a:b].strip(" $.~")]
     if not all(len(cuts(text.text[a:b], _EQUALS)) == 2 for a, b in places[1:]):
         return [text]

@@ -87,7 +87,7 @@ def is_force(symbol: object, reference: Reference) -> bool:
 
 
 def _in_si(fragment: Fragment, name: str, place: tuple[int, int], unit: str, reference: Reference) -> Fragment:
-    """The text with the number and its unit that stand at a place in SI; `unit` is one of the dimension expected."""
+    """The text with the number and unit at a place converted to SI, for units of the expected dimension."""
     written = fragment.text[slice(*place)]
     expected = dimension_of_unit(unit) if unit else None
     parts = split_number(plain_unit(written))
@@ -186,7 +186,7 @@ def with_listed_values(fragment: Fragment, declared: Collection[str] = ()) -> Fr
 
 
 def _signs(side: str) -> tuple[str, ...]:
-    """What a ± stands for, where all that is on its side is of one sign: + and −."""
+    """+ and −, if a side contains exactly one ±; otherwise the empty sign."""
     return ("+", "-") if len(_PLUS_MINUS.findall(side)) == 1 else ("",)
 
 
@@ -238,7 +238,7 @@ def with_equality(fragment: Fragment) -> Fragment:
 
 
 def exact_results(answer: Sequence[Fragment]) -> tuple[Fragment, ...]:
-    """The equations without what stands beside them: letters of parts, and numbers after exact results."""
+    """The equations without accompanying matter: part letters, and decimals after exact results."""
     numbered = _parts_numbered([f.text for f in answer])
     return tuple(_alone(f, parts=numbered) for f in answer)
 

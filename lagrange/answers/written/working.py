@@ -268,7 +268,7 @@ class _Sorting:
             self.notes.append(Diagnostic("read-as", message, lines[0].fragment.whole, level=Severity.NOTE))
 
     def _without_time(self, lines: list[Line]) -> None:
-        """`u(t)` of a speed u as u, and of what the answer defines as u(t) = ..., as x(t) of a coordinate is x."""
+        """`u(t)` as u, for a speed u and for what the answer defines as u(t) = ..., just as x(t) is x."""
         velocities = {*self.scope.slots.velocities}
         speeds = [n for n, v in self.scope.scalars.items() if not velocities.isdisjoint(v.free_symbols)]
         defined = {m[1] for line in lines if (m := _OF_TIME.match(line.fragment.text))}
@@ -335,7 +335,7 @@ class _Sorting:
         return names.isdisjoint(self.reference.coordinates)
 
     def _about_special_cases(self, lines: list[Line]) -> list[Line]:
-        """The lines about a special case, with a note each; none where there is nothing else."""
+        """The lines about a special case, each with a note; none if there are no other lines."""
         if not self.values_are_asides:
             return []
         cases, special = about_special_cases([(x.fragment, x.reading or Reading("")) for x in lines], self.reference)

@@ -211,7 +211,7 @@ def _vanishing(motion: ImpulsiveMotion, known: list[ReactionImpulse]) -> Iterato
 
 
 def _meaning(i: ReactionImpulse) -> Prose:
-    """What the symbol of an impulse stands for."""
+    """The meaning of the symbol of an impulse."""
     single, called = i.reaction.single, constraints_called([i.name])
     if single is None:
         return prose(math(i.symbol), f" is the impulse of the multiplier of {called}.")

@@ -44,7 +44,7 @@ SMALL = ("epsilon", "eta", "delta", "zeta")
 def explain_conserved(
     conserved: Conserved, choice: str = "", taken: Collection[str] = (), *, proofs: bool = True
 ) -> Step | None:
-    """The integrals with their proofs, and the rate of the energy; None where there is neither.
+    """The integrals with their proofs, and the rate of the energy; None if there is neither.
 
     taken   names that the problem uses
     proofs  whether the equations of motion of which they are integrals are on the page

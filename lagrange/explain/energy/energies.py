@@ -106,7 +106,7 @@ def explain_energies(setup: LagrangeExposition) -> Step:
 
 
 def _outright(setup: LagrangeExposition) -> Step:
-    """A Lagrangian that the file gives, and the generalized forces beside it."""
+    """A Lagrangian given directly in the file, with the accompanying generalized forces."""
     L = Equation((setup.letters.lagrangian, setup.energies.lagrangian), label=f"lagrangian{setup.suffix}")
     given = prose("The Lagrangian is given. The derivation begins with it: there are no masses and forces to which "
                   "d'Alembert's principle could be applied, and none that could check it." if not setup.choice else

@@ -29,6 +29,7 @@ from lagrange.explain.page.economy import (
     freedom_in_one,
     in_one_name,
     in_pairs,
+    joined,
     said_before,
     without_unused,
 )
@@ -213,17 +214,12 @@ def _summary(solution: Solution, choice: str) -> tuple[Part, ...]:
 
 
 def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
-    """The steps, with what reactions are, where they are no forces on single bodies, beside their work."""
-    waiting: Step | None = None
-    for step in steps:
-        if waiting is not None and step.rule is Rule.WORKLESS:
-            step, waiting = replace(step, body=(*waiting.body, *step.body)), None
-        if waiting is not None:
-            yield waiting
-            waiting = None
-        if step.rule is Rule.REACTIONS and solution.law is not None and solution.law.newton.bodies is None:
-            waiting = step
-        else:
-            yield step
-    if waiting is not None:
-        yield waiting
+    """The steps, with reactions that are not forces on single bodies described together with their work."""
+    if solution.law is None or solution.law.newton.bodies is not None:
+        return iter(steps)
+
+    def join(first: Step, second: Step) -> Step | None:
+        reactions = (first.rule, second.rule) == (Rule.REACTIONS, Rule.WORKLESS)
+        return replace(second, body=(*first.body, *second.body)) if reactions else None
+
+    return joined(steps, join)

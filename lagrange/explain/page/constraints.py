@@ -276,7 +276,7 @@ def _is_product(block: Display, c: ConstraintAnalysis) -> bool:
 
 
 def explain_short_displacements(solution: Solution) -> Step:
-    """The displacements, those that are zero put into the other conditions; no solution that is too long to be read."""
+    """The displacements, vanishing ones substituted into the other conditions; long solutions are omitted."""
     own = solution.own
     rows = tuple(without_common_number(r) if r.finite is not None else r for r in own.configuration.rows)
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
@@ -294,8 +294,8 @@ def explain_short_displacements(solution: Solution) -> Step:
 
 
 def _with(zero: dict[sp.Symbol, sp.Expr], block: Display) -> Display:
-    """Equations between displacements, with those put in that are zero; those that say it stay."""
-    return replace(block, equations=tuple(_simpler(zero, e) for e in block.equations))
+    """Equations between displacements with the vanishing ones substituted; those that say so are kept."""
+    return block.map(lambda e: _simpler(zero, e))
 
 
 def _simpler(zero: dict[sp.Symbol, sp.Expr], e: Equation) -> Equation:
@@ -389,8 +389,7 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
         return replace(e, sides=(e.sides[0], *map(shorter, e.sides[1:]))) if len(e.sides) > 1 else replace(
             e, sides=tuple(map(shorter, e.sides)))  # fmt: skip
 
-    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
-    return replace(step, body=tuple(blocks))
+    return step.map(line)
 
 
 def with_only_coordinate(solution: Solution, step: Step) -> Step:
@@ -461,7 +460,7 @@ def _hidden(step: Step) -> Iterator[Block]:
 
 
 def _by_theorem(block: Block) -> Block:
-    """`..., so the system is nonholonomic`, with the name of the theorem that says so."""
+    """`..., so the system is nonholonomic`, citing the theorem by name."""
     if not isinstance(block, Prose):
         return block
     why = index_of(Purpose.CONCLUSION, block.parts)

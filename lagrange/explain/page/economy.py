@@ -6,7 +6,7 @@ repeat what the one before has said. Nothing is computed here; equal unit vector
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -216,7 +216,7 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
 
 
 def _as_before(known: Sequence[Ref]) -> Iterator[Prose]:
-    """`As before, (17) and (18) hold.`; nothing where there is nothing to refer to."""
+    """`As before, (17) and (18) hold.`; nothing if there is nothing to refer to."""
     if known:
         holds = plural(len(known), " holds.", " hold.")
         yield prose("As before, ", *listed(known), holds, purpose=Purpose.AS_BEFORE)
@@ -339,7 +339,7 @@ def _rest_is_finite(classification: Classification) -> bool:
 
 
 def _relations(together: int, single: int) -> str:
-    """What the constraints imply together, beside the relations that single ones are."""
+    """The joint implications of the constraints, in addition to relations implied by single ones."""
     if together == 0:
         return "no finite relation"
     if together == single:
@@ -430,25 +430,30 @@ def _as_one(forms: Sequence[_FurtherForm]) -> Iterator[Block]:
 
 def freedom_in_one(steps: Iterable[Step]) -> Iterator[Step]:
     """The classification and the degrees of freedom in one section."""
+
+    def join(first: Step, second: Step) -> Step | None:
+        if (first.rule, second.rule) != (Rule.CLASSIFICATION, Rule.DEGREES_OF_FREEDOM) or first.choice != second.choice:
+            return None
+        title = "Classification and degrees of freedom"
+        return replace(second, rule=first.rule, title=title, body=(*first.body, *second.body))
+
+    return joined(steps, join)
+
+
+def joined(steps: Iterable[Step], join: Callable[[Step, Step], Step | None]) -> Iterator[Step]:
+    """The steps, with successive ones replaced by what `join` makes of them."""
     waiting: Step | None = None
     for step in steps:
-        if waiting is not None:
-            if step.rule is Rule.DEGREES_OF_FREEDOM and step.choice == waiting.choice:
-                title = "Classification and degrees of freedom"
-                step = replace(step, rule=waiting.rule, title=title, body=(*waiting.body, *step.body))
-            else:
-                yield waiting
-            waiting = None
-        if step.rule is Rule.CLASSIFICATION:
-            waiting = step
-        else:
-            yield step
+        both = None if waiting is None else join(waiting, step)
+        if waiting is not None and both is None:
+            yield waiting
+        waiting = both or step
     if waiting is not None:
         yield waiting
 
 
 def remaining_shortly(step: Step, slots: Slots) -> Step:
-    """A constraint that a choice of coordinates leaves, without the constant factors that all of its terms share."""
+    """A constraint that remains in a choice of coordinates, divided by constant factors common to all its terms."""
     moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
 
     def line(e: Equation) -> Equation:
@@ -457,8 +462,7 @@ def remaining_shortly(step: Step, slots: Slots) -> Step:
             return e
         return replace(e, sides=(without_constant_factors(left, moving), sp.S.Zero))
 
-    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
-    return replace(step, body=tuple(blocks))
+    return step.map(line)
 
 
 def lagrangian_once(step: Step) -> Step:
@@ -496,7 +500,7 @@ def _without_momentum(part: Part) -> Part:
 
 
 def questions_shortly(solution: Solution, step: Step) -> Step:
-    """The answer to a question with the simple conditions put into long expressions; what stays long is omitted.
+    """The answer to a question with simple conditions substituted into long expressions; what stays long is omitted.
 
     With β = α and β' = α' the accelerations of a double pendulum are two short fractions.
     """

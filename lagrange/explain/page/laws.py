@@ -55,7 +55,7 @@ ZERO = sp.S.Zero
 
 
 def has_vector_laws(solution: Solution) -> bool:
-    """Whether Newton's law for particles, without friction, is all that is needed."""
+    """Whether Newton's law for particles without friction suffices."""
     own, law = solution.own, solution.law
     if law is None or own.dynamics is None or not solution.works or own.equilibrium is not None:
         return False
@@ -117,8 +117,7 @@ def along_named(solution: Solution, step: Step) -> Step:
     def line(e: Equation) -> Equation:
         return replace(e, sides=lines.get(e.label or "", e.sides))
 
-    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
-    return replace(step, body=tuple(blocks))
+    return step.map(line)
 
 
 def _ends_with_components(lead: Prose) -> bool:
@@ -181,7 +180,7 @@ def _along_forces(body: FreeBody, step: Step) -> tuple[Step, Directions]:
 
 
 def _together(blocks: Sequence[Block]) -> list[Block]:
-    """What is missing and what is known of the reactions in one paragraph."""
+    """The number of missing equations and the known properties of the reactions, in one paragraph."""
     words = [b for b in blocks if isinstance(b, Prose)]
     return [paragraph(*words)] if words and len(words) == len(blocks) else list(blocks)
 
@@ -196,8 +195,7 @@ def in_forces(step: Step, newton: Newton) -> Step:
 
     if not rule:
         return step
-    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
-    return replace(step, body=tuple(blocks))
+    return step.map(line)
 
 
 def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
@@ -400,7 +398,7 @@ def _by_kind(block: Block) -> Block:
 
 
 def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
-    """Named forces along the same unit vector in one sentence; nothing unless all reactions are such forces."""
+    """Named forces along the same unit vector in one sentence; empty unless all reactions are such forces."""
     groups: dict[tuple[sp.Expr, ...], list[Reaction]] = {}
     for r in reactions:
         direction = r.single.direction if r.single is not None and r.given is not None else None
@@ -491,7 +489,7 @@ def _is_work(block: Display) -> bool:
 
 
 def contact_once(step: Step) -> Step:
-    """Conditions of contact, without the force once more where it has just been given."""
+    """Conditions of contact, without repeating a force that has just been given."""
     boxed = [e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations]
     known = {e.sides[-1] for e in boxed if isinstance(e.sides[-1], sp.Expr)}
     body: list[Block] = []

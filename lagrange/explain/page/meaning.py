@@ -57,7 +57,7 @@ def explain_meaning(
     *,
     finite: bool = False,
 ) -> Step | None:
-    """The step; None where there is nothing to say.
+    """The step; None if there is nothing to say.
 
     conserved  the step of the full derivation on the conserved quantities
     stated     the equations of motion in another form, known to be right
@@ -110,7 +110,7 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
 
 
 def _freed(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
-    """The equations without the coordinates that roll along: `Without ψ: ψ'' = −[(R − r)/r] φ'' leaves ...`"""
+    """The equations without coordinates of rolling: `Without ψ: ψ'' = −[(R − r)/r] φ'' leaves ...`"""
     freed = meaning.freed
     if freed is None or meaning.constant:
         return
@@ -124,7 +124,7 @@ def _freed(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
 
 
 def _with_held(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
-    """The equations with what is constant put in: `With r = R: R θ'' − g sin θ = 0.`"""
+    """The equations with constants substituted: `With r = R: R θ'' − g sin θ = 0.`"""
     motion, held = meaning.view.motion, held_values(meaning.view.configuration)
     if motion is None or meaning.constant or not held:
         return
@@ -220,11 +220,7 @@ def _without_constant_coordinates(step: Step, conserved: Conserved) -> Step:
     }
     if not zero:
         return step
-    body = (
-        replace(b, equations=tuple(_at(zero, e) for e in b.equations)) if isinstance(b, Display) else b
-        for b in step.body
-    )
-    return replace(step, body=tuple(body))
+    return step.map(lambda e: _at(zero, e))
 
 
 def _in_remaining(block: Block, conserved: Conserved) -> Block:
@@ -398,7 +394,7 @@ def _coordinate(meaning: ResultMeaning) -> sp.Symbol:
 
 
 def stability_word(at: SmallOscillations) -> str | None:
-    """`stable`, `unstable`; None where more has to be said."""
+    """`stable` or `unstable`; None if this needs qualification."""
     from lagrange.mechanics.equilibrium.linear_stability import Ground
     from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 
@@ -424,7 +420,7 @@ def _period(at: SmallOscillations) -> sp.Expr | None:
 
 
 def _limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
-    """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations those that change."""
+    """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations, those that change."""
     changed = [e for e in limit.equations if not any(is_same(e, f) for f in final)]
     same = len(limit.equations) - len(changed)
     where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")

@@ -376,7 +376,7 @@ def _are_long(solution: Solution) -> bool:
 
 
 def _without_rates(solution: Solution, block: Block) -> Block:
-    """The boxed equations without the kinematic ones, which stand above."""
+    """The boxed equations without the kinematic ones, which precede them."""
     form = solution.own.in_speeds
     if not isinstance(block, Display) or not block.boxed or form is None:
         return block
@@ -389,7 +389,7 @@ def _without_rates(solution: Solution, block: Block) -> Block:
 
 
 def reaction_as_a_whole(solution: Solution) -> Step | None:
-    """R = m r'' − F of the only body; None where the multipliers say more, or another force is not in F."""
+    """R = m r'' − F of the only body; None if the multipliers say more, or another force is not in F."""
     own, law = solution.own, solution.law
     configuration = own.configuration
     if law is None or own.dynamics is None or len(configuration.points) != 1 or not configuration.rotations:
@@ -424,7 +424,7 @@ def reaction_as_a_whole(solution: Solution) -> Step | None:
 
 
 def _across(solution: Solution, reaction: VectorSymbol) -> Iterator[Block]:
-    """The vertical component, where there is gravity."""
+    """The vertical component, if there is gravity."""
     gravity = solution.problem.gravity
     along = [n for n, c in enumerate(gravity.fixed().components) if c != 0] if gravity is not None else []
     if len(along) != 1:

@@ -82,7 +82,7 @@ _CALLED = {
 def explain_result(
     solution: Solution, steps: list[Step], stated: StatedEquations = (), work: Sequence[Equation] = ()
 ) -> Iterator[Step]:
-    """The results together, at the head; nothing where there are none.
+    """The results together, at the head; nothing if there are none.
 
     steps   of the page, without those that are folded
     stated  the equations of motion in another form, known to be right, for where they are shorter so
@@ -150,7 +150,7 @@ def _has_long_roots(lines: Sequence[Equation]) -> bool:
 
 
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
-    """Constant accelerations instead of equations for them; what is asked for is stated once."""
+    """Constant accelerations instead of equations for them; quantities asked for are stated once."""
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
     view = solution.chosen
     equations = kept.get(Rule.EQUATIONS_OF_MOTION)
@@ -207,7 +207,7 @@ def _where_held(lines: list[Equation], held: Mapping[sp.Symbol, sp.Expr]) -> lis
 
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
-    """Where constraints are all that is asked: freedom, class, displacements on a surface, hidden finite relations."""
+    """The result if only constraints are asked for: freedom, class, displacements on a surface, hidden relations."""
     classification = solution.classification
     if solution.own.motion is not None or not solution.problem.constraints or classification.degrees_of_freedom is None:
         return
@@ -356,7 +356,7 @@ def _in_speeds(steps: list[Step], stated: StatedEquations) -> Iterator[tuple[Rul
 
 
 def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
-    """What is asked in one set of coordinates."""
+    """The results asked for, in one set of coordinates."""
     if view.hamiltonian is not None:
         letters = energy_symbols(solution)
         lines = [Equation((letters.hamiltonian, view.hamiltonian.function))]

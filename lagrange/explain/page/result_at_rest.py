@@ -126,7 +126,7 @@ def reactions_of_only_root(view: InCoordinates, newton: Newton, values: Values) 
 
 
 def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part, ...]:
-    """What the given values decide of a branch: `with the given values unstable`; empty where they leave it open.
+    """What the given values decide of a branch: `with the given values unstable`; empty if they leave it open.
 
     A condition in letters beside a number would leave the comparison to the reader.
     """
@@ -190,7 +190,7 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
 
 
 def _about_steady(steady: SteadyMotions) -> Iterator[Equation]:
-    """The frequency of small oscillations about the only steady motion, if there is one frequency and it is stable."""
+    """The frequency of small oscillations about the only steady motion, if it is stable and has a single one."""
     branches = [(family.about, s) for family in steady.families for s in family.about.at]
     if len(branches) != 1 or branches[0][1] is None:
         return
@@ -203,7 +203,7 @@ def _about_steady(steady: SteadyMotions) -> Iterator[Equation]:
 
 
 def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tuple[Part, ...]:
-    """`stable`, `unstable where a > b`, `stable to first order where c > d`; nothing where it is undecided or long.
+    """`stable`, `unstable where a > b`, `stable to first order where c > d`; nothing if it is undecided or long.
 
     What the values of the coordinates divide by differs from zero anyhow.
     """
@@ -317,7 +317,7 @@ def _stability_of(at: SmallOscillations) -> tuple[Part, ...]:
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:
-    """The equations of a solution, its conditions beside the last of them, then `more`."""
+    """The equations of a solution, with its conditions next to the last of them, then `more`."""
     condition = branch_conditions(b)
     words = (*condition, "; " if condition else "", *more) if more else condition
     lines = [Equation((r.lhs, r.rhs)) for r in b.equations]

@@ -407,7 +407,7 @@ def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapp
     """T = (in the file's coordinates) = (in the chosen ones), on a page with the motion in both, if that is short."""
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_chain(e, sizes, rule) for e in block.equations))
+    return block.map(lambda e: _chain(e, sizes, rule))
 
 
 def _chain(

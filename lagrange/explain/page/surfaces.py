@@ -210,7 +210,7 @@ def _with_gradient(s: OnSurface, step: Step) -> Step:
 
     def changed(b: Block) -> Block:
         if isinstance(b, Display):
-            return replace(b, equations=tuple(line(e) for e in b.equations))
+            return b.map(line)
         return _where_it_vanishes(s, b) if isinstance(b, Prose) else b
 
     return replace(step, body=tuple(map(changed, step.body)))

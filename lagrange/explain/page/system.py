@@ -141,7 +141,7 @@ def are_short(equations: Sequence[Equation]) -> bool:
 
 
 def explain_measures(solution: Solution, view: InCoordinates) -> Prose | None:
-    """What the coordinates of a choice are that the file has not explained; None where this was not found."""
+    """What the coordinates of a choice are that the file has not explained; None if this was not found."""
     known = {q.symbol for q in solution.problem.coordinates if q.meaning or not view.is_own}
     new = [q for q in view.configuration.slots.coordinates if q not in known]
     sentences = [*_centre(of_mass_centre(view.configuration, new)), *_angles(angles(view.configuration, new), solution)]
@@ -268,7 +268,7 @@ def _is_no_spin(e: Equation) -> bool:
 
 
 def _about_centres(solution: Solution, *, some: bool = False) -> str:
-    """` about the mass centres`; nothing where a body has no mass, and so no such point; if `some`, where none has."""
+    """` about the mass centres`; nothing if a body has no mass, and so no such point; if `some`, where none has."""
     bodies = {b.name for b in solution.problem.bodies}
     massive = [p.mass != 0 for p in solution.own.configuration.points if p.name in bodies]
     return " about the mass centres" if (any(massive) if some else all(massive)) else ""
@@ -320,11 +320,7 @@ def alike_about_all_axes(solution: Solution, step: Step) -> Step:
     }
     if not moments:
         return step
-    blocks = (
-        replace(b, equations=tuple(_with_one_moment(e, moments) for e in b.equations)) if isinstance(b, Display) else b
-        for b in step.body
-    )
-    return replace(step, body=tuple(blocks))
+    return step.map(lambda e: _with_one_moment(e, moments))
 
 
 def _with_one_moment(e: Equation, moments: Mapping[str, sp.Expr]) -> Equation:

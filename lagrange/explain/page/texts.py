@@ -88,7 +88,7 @@ def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
 
 
 def _with_unit(text: str, problem: Problem, equals: str) -> sp.Expr | None:
-    """`60 N` as a number with its unit; None where there is none, or all its letters are declared.
+    """`60 N` as a number with its unit; None if there is no unit, or all its letters are declared.
 
     equals  what it is the value of: with a mass m in the file, `a = 0.3 m` is a length where a is one
     """

@@ -99,7 +99,7 @@ def _derived(
 
 
 def _principle(configuration: Configuration) -> sp.Expr:
-    """Σ F·δr + Σ M·δπ, minus δV where there is a potential."""
+    """Σ F·δr + Σ M·δπ, minus δV if there is a potential."""
     loads = configuration.loads
     free = [p for p in configuration.points if not configuration.is_pinned(p)]
     acting = [p.name for p in free if any(f.on == p.name and not f.elsewhere for f in loads)]
@@ -264,7 +264,7 @@ def _remarks(equilibrium: Equilibrium) -> Iterator[Block]:
 
 
 def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
-    """The positions at which a force has no value, and why that is so."""
+    """The positions at which a force is undefined, and why."""
     alike: dict[tuple[str, ...], list[tuple[Part, ...]]] = {}
     for place in equilibrium.singular:
         alike.setdefault(place.springs, []).append(listed(math(r.lhs, r.rhs) for r in place.branch.equations))
@@ -414,7 +414,7 @@ def _in_brief(s: Stability) -> tuple[Part, ...]:
 
 
 def stability_in_short(s: Stability) -> tuple[Part, ...]:
-    """`stable`, `unstable where a > b`, `stability undecided`; nothing where it was not asked."""
+    """`stable`, `unstable where a > b`, `stability undecided`; nothing if it was not asked."""
     if not s.minors:
         return ()
     match s.verdict:

@@ -88,7 +88,7 @@ def _rest(rest: RestInNumbers, configuration: Configuration) -> Step:
 
 
 def _constraints(classification: Classification) -> Step:
-    """The constraints, those that are short written out, and what each is."""
+    """The constraints, short ones written out, with a description of each."""
     short = [c for c in classification.constraints if count_operations(c.constraint.function) <= LONGEST_CONSTRAINT]
     lines = [Equation((c.constraint.lhs, c.constraint.rhs), label=f"constraint-{c.row.name}") for c in short]
     rows = tuple(
@@ -114,7 +114,7 @@ def _constraints(classification: Classification) -> Step:
 
 
 def _equations(equations: LongEquations, solution: Solution) -> Step:
-    """How long the equations of motion are, and where they stand; in full, the equations."""
+    """The length of the equations of motion and where they can be found; in full, the equations."""
     slots = solution.problem.slots
     operations = sum(count_operations(e) for e in (*equations.definitions.values(), *equations.left, *equations.right))
     names = list(equations.definitions)

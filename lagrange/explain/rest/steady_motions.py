@@ -232,7 +232,7 @@ def _dies_out(response: Response) -> bool:
 
 
 def _lags(response: Response) -> Iterator[Block]:
-    """By how much each coordinate lags behind the drive."""
+    """The phase lag of each coordinate behind the drive."""
     known = [(s, e) for s, e in zip(response.lags, response.phases, strict=True) if e is not None]
     if not known:
         return

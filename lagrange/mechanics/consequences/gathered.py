@@ -79,7 +79,7 @@ def consequences(solution: Solution, view: InCoordinates) -> Consequences:
 class LimitMotion:
     """`vanishing` tends to 0, and of the energy there remains that of `lasting`.
 
-    unless  a factor of the rate that must not be zero; None where it cannot be
+    unless  a factor of the rate that must not be zero; None if it cannot be
     spin    the angular velocity of the only body in the limit, where it is along a unit vector of the body
     """
 

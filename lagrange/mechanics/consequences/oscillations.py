@@ -188,7 +188,7 @@ def _drives(e: sp.Expr, b: sp.Symbol, rest: Mapping[sp.Symbol, sp.Expr], square:
 
 
 def _condition(difference: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
-    """The difference = 0 as an equation between two sums of positive terms; None where it has no solution."""
+    """The difference = 0 as an equation between two sums of positive terms; None if it has no solution."""
     numerator = sp.factor_terms(sp.numer(sp.together(difference)))
     sums = [f for f in sp.Mul.make_args(sp.factor(numerator)) if isinstance(f, sp.Add)]
     if len(sums) != 1 or any(not f.is_nonzero for f in sp.Mul.make_args(sp.factor(numerator)) if f not in sums):

@@ -184,7 +184,7 @@ def vanish_along(motion: EquationsOfMotion, claims: Sequence[sp.Expr]) -> bool:
 def kept_directions(view: InCoordinates) -> Iterator[tuple[sp.Symbol, sp.Symbol]]:
     """Pairs of coordinates x, y of one point along fixed unit vectors, with y'/x' = const although x'' ≠ 0.
 
-    None where the constraints are finite relations: a straight guide keeps the direction of what runs along it.
+    None if the constraints are finite relations: a straight guide keeps the direction of what runs along it.
     """
     motion = view.motion
     if motion is None or not is_short(motion) or any(r.finite is not None for r in view.configuration.rows):
@@ -264,7 +264,7 @@ def _in_a_plane(point: MassPoint, coordinates: tuple[sp.Symbol, ...]) -> tuple[s
 
 
 def _accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr] | None:
-    """The accelerations, where each stands alone in an equation, and neither position nor time occurs."""
+    """The accelerations, if each is alone on one side of an equation and neither position nor time occurs."""
     assert view.motion is not None
     slots = view.configuration.slots
     solved = {}

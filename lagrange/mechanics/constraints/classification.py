@@ -207,7 +207,7 @@ def classify(problem: Problem) -> Classification:
 
 
 def _symbols_of(force: Force) -> set[sp.Symbol]:
-    """What an applied force depends on."""
+    """The symbols that an applied force depends on."""
     symbols: set[sp.Symbol] = set()
     parts = [getattr(force, f.name) for f in fields(force)]
     for part in chain.from_iterable(p if isinstance(p, tuple) else (p,) for p in parts):

@@ -49,7 +49,7 @@ class Row:
 
     @property
     def form(self) -> tuple[sp.Expr, ...]:
-        """The coefficients of all differentials, dt among them, shape (n + 1,)."""
+        """The coefficients of all differentials, including dt, shape (n + 1,)."""
         return (*self.coefficients, self.drift)
 
     @property

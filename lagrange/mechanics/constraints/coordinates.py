@@ -355,7 +355,7 @@ class Angle:
 
 
 def angles(configuration: Configuration, symbols: Sequence[sp.Symbol]) -> tuple[Angle, ...]:
-    """What the given coordinates measure, as far as they are angles of lines between points; each once."""
+    """The given coordinates that are angles of lines between points, each once."""
     written = [c for p in configuration.points[:MOST_MEASURED_POINTS] for c in p.position.fixed().components]
     waves = [w for c in written for w in c.atoms(sp.sin, sp.cos)]
     sought = [q for q in symbols if any(w.args[0] == q for w in waves)]

@@ -105,7 +105,7 @@ def _check_regular(geometric: Sequence[Constraint], rows: Sequence[Row], surface
 
 
 def _clash_of_rates(pairs: Pairs, surface: Surface) -> Pairs:
-    """The first constraint whose velocity form contradicts earlier ones, with those that the contradiction needs."""
+    """The first constraint whose velocity form contradicts earlier ones, with the constraints in the contradiction."""
     if not _clash([row for _, row in pairs], surface):
         return []  # a contradiction between some of them is one between all
     for count in range(1, len(pairs) + 1):
@@ -216,7 +216,7 @@ class RankLoss:
 
 
 def rank_losses(independent: ConstrainedSystem) -> tuple[RankLoss, ...]:
-    """The places where independent constraints become dependent, as far as they were found."""
+    """The places found at which independent constraints become dependent."""
     rows = independent.rows
     losses = [loss for row in rows for loss in _of_row(row, independent)]
     for factor in _factors(independent):
@@ -252,7 +252,7 @@ def _cases(conditions: Sequence[sp.Expr], slots: Slots) -> list[tuple[sp.Expr, .
 
 
 def _reduced(case: Iterable[sp.Expr], slots: Slots) -> tuple[sp.Expr, ...] | None:
-    """The conditions with what follows from q = 0 for some coordinates put in; None where they cannot all hold."""
+    """The conditions with what follows from q = 0 for some coordinates put in; None if they cannot all hold."""
     conditions = list(case)
     while True:
         zeros = dict.fromkeys((c for c in conditions if c in slots.coordinates), sp.S.Zero)

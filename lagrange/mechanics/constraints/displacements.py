@@ -64,7 +64,7 @@ class Elimination:
     is_closed: bool = True
 
     def solved(self, slots: Slots) -> Mapping[sp.Symbol, sp.Expr]:
-        """Each dependent δq in terms of the independent ones; none where they are not written out."""
+        """Each dependent δq in terms of the independent ones; none if they are not written out."""
         if not self.is_closed:
             return {}
         free = [variation(slots.coordinates[k]) for k in self.independent]
@@ -263,7 +263,7 @@ def eliminate(
 
 
 def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[int]) -> int | None:
-    """The column to divide by, or None where the row vanishes on the constraint surface."""
+    """The column to divide by, or None if the row vanishes on the constraint surface."""
     ranked = sorted((k not in first, not e.is_number, count_operations(e), k) for k, e in enumerate(row) if e != 0)
     for *_, k in ranked:
         if surface.is_zero(row[k]) is False:

@@ -205,7 +205,7 @@ class Configuration:
 
     @property
     def positive(self) -> tuple[sp.Expr, ...]:
-        """What is positive at every state of the system, though not by itself: lengths of springs, masses that vary."""
+        """The quantities positive in every state, though not by themselves: spring lengths, variable masses."""
         lengths = tuple(s.distance for s in self.springs if not s.distance.is_nonnegative)
         return (*lengths, *(m.mass for m in self.variable_masses if not m.mass.is_positive))
 
@@ -316,7 +316,7 @@ def with_velocities_apart(energies: Sequence[sp.Expr], slots: Slots) -> tuple[sp
 
 
 def _given_forces(problem: Problem) -> tuple[sp.Expr, ...]:
-    """Q_k of the generalized forces that the file gives; none where there are none."""
+    """Q_k of the generalized forces that the file gives; none if there are none."""
     given = [f.components for f in problem.forces if isinstance(f, GeneralizedForce)]
     if not given:
         return ()

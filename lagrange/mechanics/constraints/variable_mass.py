@@ -53,17 +53,17 @@ class VariableMass:
 
     @property
     def exchanged(self) -> sp.Expr:
-        """The mass that leaves or joins per time."""
+        """The mass that leaves or joins per unit time."""
         return textbook_form(-self.rate) if self.leaves else textbook_form(self.rate)
 
     @property
     def is_smooth(self) -> bool:
-        """Whether mass leaves or joins with the velocity of the particle, and exerts no force on it."""
+        """Whether mass leaves or joins with the particle's own velocity, and so exerts no force on it."""
         return self.relative and self.velocity.is_zero
 
     @property
     def has_one_sense(self) -> bool:
-        """Whether the law holds only while mass leaves, or only while it joins, and the velocities decide which."""
+        """Whether the law holds only while mass leaves, or only while it joins, as decided by the velocities."""
         return not self.is_smooth and any(s.name.endswith("'") for s in self.rate.free_symbols)
 
 

@@ -288,7 +288,7 @@ class EnergyFunctions:
     def forces_at_rest(self) -> tuple[Element, ...]:
         """The terms of ∂L/∂q_k + Q'_k without velocities, shape (n,): few where those with velocities are thousands.
 
-        Raises ValueError where a velocity occurs under a root, in a denominator or in a function.
+        Raises ValueError if a velocity occurs under a root, in a denominator or in a function.
         """
         ring, velocities = self.ring, self.slots.velocities
         at_rest, *forces = (ring.by_degree(e, velocities).get(0, ring.zero) for e in (self.lagrangian, *self.forces))

@@ -298,7 +298,7 @@ def recognised_rod(
 
 
 def stated_length(constraint: Constraint, row: Row, placed: Placed | None, slots: Slots) -> sp.Expr | None:
-    """L of √S = L, and of S = L² where a body has one coordinate; None where the equation states no length so."""
+    """L of √S = L, and of S = L² where a body has one coordinate; None if the equation states no length so."""
     side = constant_side(constraint, row, slots)
     if side is None or side == 0 or placed is None:
         return None
@@ -311,7 +311,7 @@ def stated_length(constraint: Constraint, row: Row, placed: Placed | None, slots
 
 
 def constant_side(constraint: Constraint, row: Row, slots: Slots) -> sp.Expr | None:
-    """−b of a − b, or a, where that side of the equation a = b has no coordinates; None where neither is so."""
+    """−b of a − b, or a, where that side of the equation a = b has no coordinates; None if neither is so."""
     if row.finite is None or isinstance(constraint.lhs, Vector) or isinstance(constraint.rhs, Vector):
         return None
     sides = (-constraint.rhs, constraint.lhs) if row.finite == constraint.lhs - constraint.rhs else ()

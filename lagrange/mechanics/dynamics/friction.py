@@ -299,7 +299,7 @@ def _sense(
 
 
 def unit_toward(friction: Friction, direction: Vector, configuration: Configuration) -> Vector:
-    """The unit vector of `slip`, if that is a vector. Raises ProblemError if it leaves the surface."""
+    """The unit vector along `slip`, if that is a vector. Raises ProblemError if it is not tangent to the surface."""
     assert friction.toward is not None
     toward = friction.toward.xreplace(configuration.substitution).fixed()
     if configuration.surface.is_zero(toward.dot(direction.fixed())) is False:

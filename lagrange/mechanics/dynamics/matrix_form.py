@@ -25,7 +25,7 @@ from lagrange.mechanics.dynamics.reactions import over_one_denominator
 
 @record
 class MatrixForm:
-    """M, f, A, b; A and b are empty where the coordinates are independent."""
+    """M, f, A, b; A and b are empty if the coordinates are independent."""
 
     configuration: Configuration
     mass: tuple[tuple[sp.Expr, ...], ...]

@@ -162,7 +162,7 @@ class Motion:
 
     @property
     def sliding(self) -> tuple[sp.Expr, ...]:
-        """The squares of the speeds of slips whose sense the file leaves open: the law needs them not zero."""
+        """The squared slip speeds whose direction the file leaves open; the friction law requires them nonzero."""
         open_ = (f for f in self.friction_forces if not f.sense_is_stated and f.speed is not None)
         return tuple(f.speed**2 for f in open_ if f.speed is not None)
 
@@ -181,7 +181,7 @@ class Motion:
 
     @property
     def accelerations(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """q'' as functions of position, velocity and time; empty where they were not found."""
+        """q'' as functions of position, velocity and time; empty if they were not found."""
         if self.solved or self.reactions is None or self.reactions.configuration.expressed:
             return self.solved
         return {s: e for s, e in self.reactions.accelerations.items() if e is not None}

@@ -99,7 +99,7 @@ class Reaction:
 
     @property
     def force(self) -> sp.Symbol:
-        """The unknown in which it is written: the force if the file names it, otherwise λ."""
+        """The unknown that expresses it: the force if the file names it, otherwise λ."""
         return self.symbol if self.named and self.symbol is not None else self.multiplier
 
     @property
@@ -249,7 +249,7 @@ class Newton:
 
     @property
     def single_forces(self) -> dict[sp.Symbol, sp.Expr]:
-        """Each force that has a symbol of its own, as a multiple of its multiplier."""
+        """The forces with symbols of their own, each as a multiple of its multiplier."""
         return {r.symbol: r.single.factor * r.multiplier for r in self.reactions if r.single and r.symbol is not None}
 
     @property

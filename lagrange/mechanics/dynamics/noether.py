@@ -425,7 +425,7 @@ class _Affine:
 
 
 def _with_rates(tried: Sequence[_Rate | None], energies: EnergyFunctions) -> list[Symmetry]:
-    """The combinations that satisfy the conditions and whose G is found, without those that have R = 0."""
+    """The combinations that satisfy the conditions and have a known G, without those with R = 0."""
     ring = energies.ring
     rates = [r for r in tried if r is not None and any(not ring.is_zero(e) for e in r.form)]
     if all(ring.is_zero(e) for r in rates for e in r.form[:-1]) and all(

@@ -356,7 +356,7 @@ def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:
 def _between_two(
     constant: sp.Expr, terms: Sequence[tuple[sp.Expr, sp.Expr]], configuration: Configuration
 ) -> SingleForce | None:
-    """The tension of what keeps two points apart along a line, x_1 − x_2 = d with d > 0: f = k (x_1 − x_2 − d)."""
+    """The tension of a link between two points on a line, x_1 − x_2 = d with d > 0: f = k (x_1 − x_2 − d)."""
     if len(terms) != 2 or any(e not in configuration.slots.coordinates for _, e in terms):
         return None
     (k, first), (other, second) = terms

@@ -89,7 +89,7 @@ class Reactions:
     sides: Mapping[str, int] = field(default_factory=dict)
 
     def sign_of_contact(self, name: str) -> int | None:
-        """The sign of what must not be negative while contact lasts, if it is always the same."""
+        """The sign of the quantity that must be nonnegative during contact, if it does not change."""
         from lagrange.algebra.closed_forms.signs import sign_of
 
         return sign_of(self.contacts[name])

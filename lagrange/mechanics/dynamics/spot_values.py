@@ -104,7 +104,7 @@ def _at(
     signs: tuple[int, int],
     wanted: Sequence[sp.Expr],
 ) -> tuple[SpotValue, list[bool]]:
-    """A spot value, and which of the wanted functions are positive there. Raises ValueError if there is none."""
+    """A spot value, and which of the given functions are positive there. Raises ValueError if there is none."""
     configuration = system.configuration
     slots = configuration.slots
     used = set[sp.Symbol]().union(*map(symbols_in, _all_expressions(system)))

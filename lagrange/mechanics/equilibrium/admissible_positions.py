@@ -56,7 +56,7 @@ CIRCLE = Range(-sp.pi, sp.pi)
 
 
 def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) -> Branch | None:
-    """The branch without the points outside of the ranges; None where all of them are."""
+    """The branch without the points outside of the ranges; None if all of them are."""
     if b.left and not b.special and len(solution.unknowns) == 1 and ranges.get(q := solution.unknowns[0]) == QUARTER:
         return beside_zero(b, q)
     if b.left or b.special or not b.points:
@@ -85,7 +85,7 @@ def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr,
 
 
 def only_angle(wave: sp.Expr, value: sp.Expr, limits: Range) -> sp.Expr | None:
-    """The only θ in a range with cos θ, sin θ or tan θ = value, all of them numbers; None if there is not just one."""
+    """The unique θ in a range with cos θ, sin θ or tan θ = value, as numbers; None if there is not exactly one."""
     if not (limits.low.is_number and limits.high.is_number):
         return None
     inside = angles_with(wave, value, limits)
@@ -93,7 +93,7 @@ def only_angle(wave: sp.Expr, value: sp.Expr, limits: Range) -> sp.Expr | None:
 
 
 def angles_with(wave: sp.Expr, value: sp.Expr, limits: Range) -> list[sp.Expr]:
-    """All θ in a range of numbers with cos θ, sin θ or tan θ = value; none where that is no number."""
+    """All θ in a range of numbers with cos θ, sin θ or tan θ = value; none if that is no number."""
     inverse, period = {sp.cos: (sp.acos, 2 * sp.pi), sp.sin: (sp.asin, 2 * sp.pi), sp.tan: (sp.atan, sp.pi)}[wave.func]
     first = inverse(value)
     if not value.is_number or not first.is_real:
@@ -208,7 +208,7 @@ def moves_nothing(configuration: Configuration, solution: SolutionSet, b: Branch
 
 
 def _effects(configuration: Configuration, k: int) -> Iterator[sp.Expr]:
-    """What a displacement δq_k moves, turns, or violates."""
+    """What a displacement δq_k moves, rotates, or violates."""
     q = configuration.slots.coordinates[k]
     for p in configuration.points:
         yield from p.partials[k].fixed().components

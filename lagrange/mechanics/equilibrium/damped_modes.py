@@ -57,7 +57,7 @@ class DampedMode:
 
     @property
     def oscillates(self) -> bool | None:
-        """Whether ω² > 0; None where that depends on the parameters, or is not known."""
+        """Whether ω² > 0; None if that depends on the parameters, or is not known."""
         if self.square is None:
             return False
         sign = sign_of(self.square)
@@ -70,7 +70,7 @@ class DampedMode:
 
     @property
     def decays(self) -> tuple[sp.Expr, ...]:
-        """The rates of decay: σ of what oscillates, or may; one or two where nothing does."""
+        """The decay rates: σ of oscillating modes; one or two rates if nothing oscillates."""
         if self.square is None or self.square == 0 or self.oscillates is not False:
             return (self.rate,)
         root = sp.sqrt(sp.factor(-self.square))
@@ -139,7 +139,7 @@ def _where_it_oscillates(m: sp.Expr, d: sp.Expr, k: sp.Expr, square: sp.Expr) ->
 
 
 def _proportional(mass: Matrix, damping: Matrix, stiffness: Matrix) -> tuple[DampedMode, ...] | None:
-    """The modes of the undamped system, where D a = 2σ M a for each of them; None where not, or not in closed form."""
+    """The modes of the undamped system, where D a = 2σ M a for each of them; None if not, or not in closed form."""
     size = len(mass)
     if any(is_zero(x[i][j] - x[j][i]) is not True for x in (mass, stiffness) for i in range(size) for j in range(i)):
         return None
@@ -156,7 +156,7 @@ def _proportional(mass: Matrix, damping: Matrix, stiffness: Matrix) -> tuple[Dam
 
 
 def _of_undamped(f: Frequency, a: tuple[sp.Expr, ...], mass: Matrix, damping: Matrix) -> DampedMode | None:
-    """The damped mode with the shape of an undamped one; None where the damping couples it with others."""
+    """The damped mode with the shape of an undamped one; None if the damping couples it with others."""
     lost, moved = _times(damping, a), _times(mass, a)
     m, d = (sp.factor(sp.Add(*(x * y for x, y in zip(a, row, strict=True)))) for row in (moved, lost))
     if any(is_zero(x * m - d * y) is not True for x, y in zip(lost, moved, strict=True)):

@@ -44,7 +44,7 @@ from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_DEGENER
 
 @record
 class UniformMotion:
-    """Stable but for a motion in which V stays the same (`linear_stability`), where the conditions hold.
+    """Stable up to a motion along which V is constant (`linear_stability`), if the conditions hold.
 
     coordinates  those that change in it
     others       those in which V has a strict minimum
@@ -139,7 +139,7 @@ def lowest_form(
     along: Callable[[sp.Expr, int], sp.Expr],
     at_rest: Callable[[sp.Expr], sp.Expr | None],
 ) -> LowestForm | None:
-    """The terms of V along the valley; None where they are of the second order, of a high one, or not known.
+    """The terms of V along the valley; None if they are of the second order, of a high one, or not known.
 
     matrix   V'', shape (f, f), regular at the equilibrium without the rows and columns of the valley
     along    the derivative of an expression by a free coordinate
@@ -203,10 +203,10 @@ def _without_zeros(form: sp.Expr, t: Sequence[sp.Symbol]) -> sp.Expr:
 
 
 def sign_of_form(form: LowestForm, sign: Callable[[sp.Expr], int | None]) -> tuple[int, tuple[sp.Expr, ...]] | None:
-    """Whether a form is positive definite, 1, or takes negative values, −1; None where it vanishes or that is open.
+    """Whether a form is positive definite, 1, or takes negative values, −1; None if it vanishes or that is open.
 
     With 1 what must be positive for it, where that depends on the parameters; otherwise it takes negative values.
-    sign  of a coefficient: 1, 0, −1; None where the parameters leave it open
+    sign  of a coefficient: 1, 0, −1; None if the parameters leave it open
     """
     t, poly = form.symbols, sp.Poly(form.form, *form.symbols)
     terms = dict(poly.terms())
@@ -272,7 +272,7 @@ def _in_squares(
 
 
 def rises_in_even_powers(gradient: Sequence[sp.Expr], place: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
-    """Whether V is a sum of even powers with positive coefficients at a place; False where that is not seen.
+    """Whether V is visibly a sum of even powers with positive coefficients at a place.
 
     gradient  ∂V/∂q_k, k = 1, ..., n
     place     q_k and its value at the equilibrium

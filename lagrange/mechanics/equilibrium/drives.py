@@ -163,7 +163,7 @@ class ForcedSystems:
     still  without the drive
     moved  with the drive as prescribed motions
     small  the slots of these, and what they are as functions of time
-    drive  None where they have no law
+    drive  None if they have no law
     """
 
     still: Problem
@@ -175,7 +175,7 @@ class ForcedSystems:
 def forced_systems(problem: Problem, steady: bool) -> ForcedSystems:
     """The systems of a driven problem; `steady`: the steady state is asked for, which needs one harmonic drive.
 
-    Raises NotCoveredError where there is none, or where it is of another kind.
+    Raises NotCoveredError if there is none, or it is of another kind.
     """
     frequencies = harmonics(problem)
     if sp.nan in frequencies or time_beside_harmonics(problem):

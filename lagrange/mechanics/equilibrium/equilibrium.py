@@ -90,7 +90,7 @@ class ConditionOfEquilibrium:
 
 @record
 class SingularPlace:
-    """Positions at which a force has no value; `springs` are those that have the length 0 there."""
+    """Positions at which a force is undefined; `springs` are those whose length is 0 there."""
 
     branch: Branch
     springs: tuple[str, ...]
@@ -438,7 +438,7 @@ def _held(e: Equilibrium) -> SolutionSet | None:
     """The positions that the constraints alone determine, where they are independent: any forces balance there.
 
     Where two such positions meet, for particular parameters, the constraints are dependent: conditions are strict.
-    None where they are not found, or dependent.
+    None if they are not found, or dependent.
     """
     finite, coordinates = e.configuration.finite_constraints, e.configuration.slots.coordinates
     if e.forces or e.laws or e.elimination.independent or not len(finite) == len(coordinates) == len(e.binding):
@@ -462,7 +462,7 @@ def _held(e: Equilibrium) -> SolutionSet | None:
 
 
 def _consistent(branches: Sequence[Branch], solution: SolutionSet) -> list[Branch]:
-    """Branches at whose points all that they state holds, and each only once: not x = 0 with x = a."""
+    """The branches whose relations are consistent, each once: not x = 0 together with x = a."""
 
     def fails(p: Values, e: sp.Expr) -> bool:
         try:
@@ -493,7 +493,7 @@ def _with_stated_angles(b: Branch, solution: SolutionSet) -> Branch:
 
 
 def _merged(branches: Iterable[Branch], angles: Set[sp.Symbol]) -> tuple[Branch, ...]:
-    """The branches without those that have the points of another one: x = 0 beside x = R θ, both at θ = 0."""
+    """The branches without those contained in another one: x = 0 in x = R θ, both at θ = 0."""
     kept: dict[object, Branch] = {}
     for n, b in enumerate(branches):
         points = frozenset(frozenset((u, v) for u, v in p.items() if u not in angles) for p in b.points)

@@ -75,10 +75,10 @@ class Decay:
 class Position:
     """An equilibrium in numbers.
 
-    branch        of the equilibria in closed form, by index; None where it was found numerically
+    branch        of the equilibria in closed form, by index; None if it was found numerically
     coordinates   the coordinates and unknown forces that have one value there
-    stability     None where nothing was asked or can be said
-    oscillations  about it; empty where they are not asked, or it is not stable
+    stability     None if nothing was asked or can be said
+    oscillations  about it; empty if they are not asked, or it is not stable
     decays        with damping: the modes about it, likewise
     """
 
@@ -106,7 +106,7 @@ class EquilibriaInNumbers:
 
 
 def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values: Values) -> EquilibriaInNumbers | None:
-    """The equilibria in numbers; None where a parameter of theirs has no value, or only forces are to be found."""
+    """The equilibria in numbers; None if a parameter of theirs has no value, or only forces are to be found."""
     held = not e.conditions and not any(b.left for b in e.branches)  # by constraints, at places that are known
     if e.given or held or not values.covers(*e.expressions):
         return None
@@ -280,13 +280,13 @@ def acute_parameters(resting: Equilibrium, values: Values) -> Iterator[tuple[Rel
 
 
 def _agrees(e: sp.Expr, q: sp.Symbol, angle: sp.Expr, values: Values) -> bool:
-    """Whether an expression vanishes at an angle, as far as it is a number there."""
+    """Whether an expression vanishes at an angle, judged only if it is a number there."""
     value = values.put_in(e.xreplace({q: angle}))
     return not value.is_number or abs(real_value(value)) < CERTAIN
 
 
 def _admits(c: SignCondition, q: sp.Symbol, angle: sp.Expr, values: Values) -> bool:
-    """Whether a condition does not exclude an angle, as far as it is about this angle and numbers."""
+    """Whether a condition admits an angle, judged only if it contains nothing but this angle and numbers."""
     apart = c.lhs - c.rhs if c.relation in (">", "≥") else c.rhs - c.lhs
     value = values.put_in(apart.xreplace({q: angle}))
     return c.relation == "≠" or q not in apart.free_symbols or not value.is_number or real_value(value) > 0
@@ -311,7 +311,7 @@ def _angle(cosine: sp.Float, sine: sp.Float) -> sp.Expr:
 
 
 def condition_holds(c: SignCondition, at: Evaluate) -> bool | None:
-    """Whether a condition holds; None where it has open symbols, or the sides are too close."""
+    """Whether a condition holds; None if it has open symbols, or the sides are too close."""
     difference = at(c.lhs) - at(c.rhs)
     if not difference.is_number:
         return None

@@ -95,7 +95,7 @@ class LinearSystem:
 def has_uniform_motion(s: LinearSystem) -> bool | None:
     """Whether ω = 0 belongs to a motion ξ = a t + b, with K a = 0 and K b + D a = 0, and not to displacements alone.
 
-    None where that is undecided.
+    None if that is undecided.
 
     A charge at rest in a magnetic field has K = 0, but each of its motions is a circle.
     """
@@ -301,6 +301,6 @@ def free_directions(e: Equilibrium) -> tuple[tuple[sp.Expr, ...], ...]:
 
 
 def _vanishes(m: sp.Matrix) -> bool | None:
-    """Whether all entries are zero; None where that is undecided."""
+    """Whether all entries are zero; None if that is undecided."""
     verdicts = [is_zero(x) for x in m]
     return None if None in verdicts else all(verdicts)

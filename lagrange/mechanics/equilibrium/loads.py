@@ -24,7 +24,7 @@ WEIGHT = "weight"
 
 
 def at_rest(configuration: Configuration) -> Configuration:
-    """The system under the forces that act at rest. Raises NotCoveredError where one has no value there."""
+    """The system under the forces that act at rest. Raises NotCoveredError if one has no value there."""
     slots = configuration.slots
     still: dict[sp.Basic, sp.Basic] = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
 

@@ -78,7 +78,7 @@ class NumericalEquilibria:
 
 
 def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values: Values) -> NumericalEquilibria | None:
-    """All equilibria by numbers; None where they are known in closed form, or there are too many unknowns."""
+    """All equilibria by numbers; None if they are known in closed form, or there are too many unknowns."""
     if e.given or all(not b.left for b in e.branches):
         return None
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
@@ -149,7 +149,7 @@ def _searched(
     second: SecondVariation | None,
     values: Values,
 ) -> NumericalEquilibria | None:
-    """The roots of the equations at which the others may vanish too; None where the equations are too few or many."""
+    """The roots of the equations at which the others may vanish too; None if the equations are too few or many."""
     used = {s for x in equations for s in x.free_symbols}
     if len(equations) != len(unknowns) or used != {*unknowns}:
         return None
@@ -305,7 +305,7 @@ def _is_finite(value: sp.Expr) -> bool:
 def _verdict(
     matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: NumericalRoot
 ) -> StabilityVerdict | None:
-    """From the principal minors of the second variation; None where there is none."""
+    """From the principal minors of the second variation; None if there is none."""
     if not matrix:
         return None
     signs = signs_of_minors(matrix, unknowns, root)
@@ -363,7 +363,7 @@ def angles_of_links(constraints: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol
 def _rod(
     e: sp.Expr, new: Sequence[sp.Symbol], unknowns: Sequence[sp.Symbol]
 ) -> tuple[sp.Expr, tuple[sp.Expr, ...]] | None:
-    """ρ and s of (u_1 − s_1)² + (u_2 − s_2)² = ρ²; None where a constraint is not of this form."""
+    """ρ and s of (u_1 − s_1)² + (u_2 − s_2)² = ρ²; None if a constraint is not of this form."""
     square = e.coeff(new[0], 2)
     if sp.Poly(e, *unknowns).total_degree() != 2 or not square.is_number or square == 0:
         return None

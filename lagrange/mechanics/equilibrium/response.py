@@ -90,7 +90,7 @@ class Response:
 
     cosines, sines  shape (n,): ξ = A cos ωt + B sin ωt
     amplitudes      shape (n,): √(A² + B²), with the modulus of what may be negative
-    phases          shape (n,): the lag φ behind the drive; None where the drive has both a sine and a cosine
+    phases          shape (n,): the lag φ behind the drive; None if the drive has both a sine and a cosine
     resonances      ω² at which an undamped amplitude is unbounded, or that of a single damped coordinate is greatest
     rests           for each coordinate the ω² at which it is at rest
     is_damped       whether there is damping
@@ -136,7 +136,7 @@ def forced_equations(
     moved   the system with the drive as prescribed motions
     small   the slots of these, and what they are as functions of time
 
-    Raises NotCoveredError where the drive changes the inertia, or no equilibrium is known in closed form.
+    Raises NotCoveredError if the drive changes the inertia, or no equilibrium is known in closed form.
     """
     if moved.rows or linear.configuration.rows:
         raise NotCoveredError("forced oscillations in coordinates that are not free")
@@ -182,7 +182,7 @@ def _at_rest(linear: Linearization, number: int, e: sp.Expr) -> sp.Expr | None:
 
 
 def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Response:
-    """The steady state. Raises NotCoveredError where it is too long, or resonance is identical.
+    """The steady state. Raises NotCoveredError if it is too long, or resonance is identical.
 
     taken  names that the letters of amplitudes and lags must not use
     """
@@ -299,7 +299,7 @@ def _in_front(coefficient: sp.Expr) -> sp.Expr:
 
 
 def limiting_amplitudes(response: Response) -> tuple[sp.Expr | None, sp.Expr | None]:
-    """What the amplitude of the only coordinate tends to as ω → 0 and as ω → ∞; None where it has no limit."""
+    """What the amplitude of the only coordinate tends to as ω → 0 and as ω → ∞; None if it has no limit."""
     w = response.drive.frequency
     if len(response.amplitudes) != 1 or not w.is_Symbol:
         return None, None

@@ -238,7 +238,7 @@ class Samples:
         return angle.letters if angle is not None else ()
 
     def _sign(self, point: RealPoint, at_pole: bool = False) -> int | None:
-        """1 where S is positive definite, −1 where it takes negative values, None where a minor is too small.
+        """1 where S is positive definite, −1 where it takes negative values, None if a minor is too small.
 
         at_pole  without the displacement that moves nothing
         """
@@ -249,7 +249,7 @@ class Samples:
         return definiteness_in_numbers(point, table)
 
     def projected(self, point: RealPoint) -> tuple[list[list[Any]], list[list[Any]]]:
-        """S, empty where the forces do not balance, and N; the multipliers receive their values."""
+        """S, empty if the forces do not balance, and N; the multipliers receive their values."""
         size = len(self.slots.coordinates)
         rows = point.matrix(self.rows)
         basis = [[point.number(int(n == k)) for n in range(size)] for k in range(size)]
@@ -304,7 +304,7 @@ def exists(b: Branch, point: RealPoint) -> bool:
 
 
 def claimed(point: RealPoint, b: Branch, s: Stability) -> bool | None:
-    """Whether an equilibrium is stated to be stable at a point; None where it does not exist, or nothing is stated."""
+    """Whether an equilibrium is stated to be stable at a point; None if it does not exist, or nothing is stated."""
     if not exists(b, point):
         return None
     match s.verdict:

@@ -76,7 +76,7 @@ class StabilityVerdict(StrEnum):
 class Stability:
     """The verdict on one branch.
 
-    minors      the leading minors of V_kj on the branch; the first is V'' where there is one coordinate
+    minors      the leading minors of V_kj on the branch; the first is V'' if there is one coordinate
     conditions  stable where these hold
     presupposed if stable or unstable: what must hold for the signs to be strict; otherwise nothing is decided
     unstable    if undecided: unstable where one of these holds
@@ -255,7 +255,7 @@ def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibri
 
 
 def _of_first_harmonic(second: sp.Expr, value: sp.Expr | None, b: Branch, e: Equilibrium) -> sp.Expr | None:
-    """V'' = B/cos θ − V' tan θ for V' = A cos θ + B sin θ, where V' = 0 at a given tan θ; None where it is not shorter.
+    """V'' = B/cos θ − V' tan θ for V' = A cos θ + B sin θ, where V' = 0 at a given tan θ; None if it is not shorter.
 
     second  V''
     value   what it is on the branch, in the form found before
@@ -401,7 +401,7 @@ def _of_lowest(
 
 
 def _eliminated(rows: Sequence[Sequence[sp.Expr | None]], e: Equilibrium) -> Elimination | None:
-    """The displacements that are free on a branch, `rows` being A there; None where there are not as many."""
+    """The displacements that are free on a branch, `rows` being A there; None if there are not as many."""
     known = [tuple(a for a in row if a is not None) for row in rows]
     n = len(e.configuration.slots.coordinates)
     if any(len(row) < n for row in known):
@@ -528,7 +528,7 @@ def by_signs(expressions: Sequence[sp.Expr], b: Branch, e: Equilibrium) -> Stabi
 
 
 def _shortest(s: Stability, b: Branch) -> Stability:
-    """A conditional verdict with the shortest form of its conditions, beside those for the existence of the branch."""
+    """A conditional verdict with its conditions in the shortest form, given those for the existence of the branch."""
     shorter = further_conditions(s.conditions, b.conditions)
     if shorter is None:
         return s

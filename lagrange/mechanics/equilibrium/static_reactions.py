@@ -287,7 +287,7 @@ def _balance(trial: ReactionsAtRest, original: Equilibrium, newton: Newton) -> b
 
 
 def with_spring_forces(e: Equilibrium) -> Equilibrium:
-    """The equilibria with the force of each spring at each branch, by its name; of those that have one value there."""
+    """The equilibria with the force of each spring on each branch, by name, where it is unique."""
     springs = e.configuration.springs
     if e.given or not springs:
         return e

@@ -23,7 +23,7 @@ ZERO = sp.S.Zero
 def condition_for_rate(
     conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], complete: bool
 ) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr] | None]:
-    """A condition that a constant rate is found from, and this rate; None where there is none.
+    """A condition that a constant rate is found from, and this rate; None if there is none.
 
     complete  whether the conditions are solved for the coordinates; otherwise the rate may be given by its square, and
               by one of several conditions if no other one contains it: the orbit of a satellite, φ'² = F(r, θ), where

@@ -343,7 +343,7 @@ def _prescribed(configuration: Configuration) -> list[sp.Symbol]:
 
 
 def integrated(motion: EquationsOfMotion) -> tuple[EquationsOfMotion, Mapping[sp.Symbol, sp.Expr]] | None:
-    """The motion in free coordinates, and the others in terms of them, up to constants; None where this is not so."""
+    """The motion in free coordinates, and the others in terms of them, up to constants; None if this is not so."""
     configuration = motion.configuration
     slots, rows = configuration.slots, configuration.rows
     if any(r.finite is not None or r.nonlinear is not None or r.drift != 0 for r in rows):
@@ -388,7 +388,7 @@ def velocities_by_root(
     momenta: Sequence[sp.Symbol],
     surface: Surface,
 ) -> tuple[tuple[sp.Expr, ...], sp.Expr] | None:
-    """The velocities in terms of the momenta, and Σ p_k q_k' − L; None where they are not found.
+    """The velocities in terms of the momenta, and Σ p_k q_k' − L; None if they are not found.
 
     stated  shape (n,): ∂L/∂q_k'
     """

@@ -77,7 +77,7 @@ class ReactionImpulse:
 
 @record
 class Presupposition:
-    """What a one-sided constraint presupposes: `quantity` > 0, or ≥ 0 if it is an impulse."""
+    """The presupposition of a one-sided constraint: `quantity` > 0, or ≥ 0 if it is an impulse."""
 
     constraint: str
     quantity: sp.Expr
@@ -142,11 +142,11 @@ class ImpulsiveMotion:
         return self.configuration.rewritten(expression).xreplace(self.position)
 
     def after(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of coordinates and velocities just after the impact."""
+        """An expression of coordinates and velocities, just after the impact."""
         return self.at(expression).xreplace(dict(zip(self.slots.velocities, self.velocities, strict=True)))
 
     def just_before(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of coordinates and velocities just before the impact."""
+        """An expression of coordinates and velocities, just before the impact."""
         return self.at(expression).xreplace(dict(zip(self.slots.velocities, self.before, strict=True)))
 
     @property
@@ -168,7 +168,7 @@ def impulsive_motion(problem: Problem, choices: Sequence[GeneralizedCoordinates]
 
     taken  names that the letters of impulses must not use
 
-    Raises NotCoveredError where it cannot be treated, ProblemError where the state before contradicts the constraints.
+    Raises NotCoveredError if it cannot be treated, ProblemError where the state before contradicts the constraints.
     """
     impact = problem.impact
     assert impact is not None  # asked for only where the file has one
@@ -267,7 +267,7 @@ def _during(problem: Problem, impact: Impact) -> Configuration:
 def _chosen(
     views: Sequence[GeneralizedCoordinates], full: Configuration, before: Sequence[InitialValue]
 ) -> GeneralizedCoordinates:
-    """The first set of coordinates without roots in which all that is given of the state before is known."""
+    """The first set of coordinates without roots in which everything given about the state before is known."""
     for view in views:
         slots, old = view.configuration.slots, full.slots
         known = {*slots.coordinates, *slots.velocities, *(prime(q) for q in view.configuration.expressed)}
@@ -318,7 +318,7 @@ def _position(configuration: Configuration, impact: Impact) -> tuple[dict[sp.Sym
 
 
 def _check_position(row: Row, relation: sp.Expr, impact: Impact) -> None:
-    """Raises ProblemError where the given position does not satisfy a constraint."""
+    """Raises ProblemError if the given position does not satisfy a constraint."""
     if Surface().is_zero(relation) is True:
         return
     span = next((c.span for c in impact.constraints if c.name == row.name), impact.span)
@@ -340,7 +340,7 @@ def _before(
     position: Mapping[sp.Symbol, sp.Expr],
     surface: Surface,
 ) -> tuple[sp.Expr, ...]:
-    """q'_0, shape (n,): what is given, the rest free as far as the old constraints allow."""
+    """q'_0, shape (n,): the given velocities, and the rest as free as the old constraints allow."""
     slots = configuration.slots
     still = dict.fromkeys(slots.velocities, ZERO)
     given = []

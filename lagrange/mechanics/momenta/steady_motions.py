@@ -274,7 +274,7 @@ def _length(family: Family) -> int:
 
 
 def on_one_side(conditions: Equilibrium) -> Iterator[tuple[sp.Expr, Equilibrium]]:
-    """Conditions that contain sgn f, as where f > 0 and where f < 0; nothing where there is no such f, or several."""
+    """Conditions that contain sgn f, as where f > 0 and where f < 0; nothing if there is no such f, or several."""
     forces = conditions.independent_forces
     inside = {s.args[0] for e in forces for s in e.atoms(sp.sign)}
     if len(inside) != 1 or any(e.has(sp.Abs) for e in forces):
@@ -353,7 +353,7 @@ def _only(resting: Equilibrium, chosen: Callable[[Branch], bool]) -> Equilibrium
 
 
 def _differs_from_zero(e: sp.Expr, b: Branch, resting: Equilibrium) -> bool:
-    """Whether an expression is seen not to vanish at points of a branch."""
+    """Whether an expression is found not to vanish at sampled points of a branch."""
     for point in _points(b, resting):
         try:
             return not point.is_zero(e)

@@ -369,7 +369,7 @@ def reference(
     parameters: Numbers,
     start: Mapping[sp.Symbol, sp.Expr] | None = None,
 ) -> ReferenceState:
-    """The state that `initial` and the constraints determine. Raises ProblemError where they do not.
+    """The state that `initial` and the constraints determine. Raises ProblemError if they do not.
 
     start  where the iteration begins, for coordinates that are not stated; 0 by default
     """

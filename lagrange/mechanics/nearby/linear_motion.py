@@ -88,7 +88,7 @@ class LinearBlock:
 
     @cached_property
     def exponents(self) -> tuple[sp.Expr, ...]:
-        """The p of solutions e^(pt), det(M p² + D p + K) = 0, except p = 0; none where a letter has no value."""
+        """The p of solutions e^(pt), det(M p² + D p + K) = 0, except p = 0; none if a letter has no value."""
         tables = [sp.Matrix(m) for m in (self.mass, self.damping, self.stiffness)]
         if any(m.free_symbols for m in tables):
             return ()
@@ -302,7 +302,7 @@ class _Fit:
             self.rows.append(row)
 
     def polynomial(self, values: Sequence[Any]) -> sp.Expr:
-        """The polynomial with these values. Raises NotCoveredError where there is none."""
+        """The polynomial with these values. Raises NotCoveredError if there is none."""
         scale = max(map(abs, values))
         if scale < CLEARLY_ZERO:
             return sp.S.Zero
@@ -395,7 +395,7 @@ class StableRange:
 
 
 def stable_ranges(*tables: Entries) -> tuple[StableRange, ...] | None:
-    """The positive values of the only letter in M, D, K for which every solution decays; None where that is open."""
+    """The positive values of the only letter in M, D, K for which every solution decays; None if that is open."""
     rational = [sp.Matrix(t).applyfunc(_exact) for t in tables]
     letters = {s for t in rational for s in t.free_symbols}
     if len(letters) != 1:

@@ -178,7 +178,7 @@ def long_reactions(
     solved: Sequence[Reactions],
     spot: SpotValue | None,
 ) -> LongReactions | None:
-    """The reactions that were too long in every set of coordinates; None where there are none.
+    """The reactions that were too long in every set of coordinates; None if there are none.
 
     configuration  the file's own
     independent    its coordinates whose displacements are free, by index

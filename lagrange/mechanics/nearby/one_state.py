@@ -71,7 +71,7 @@ class StateInNumbers:
 
 
 def at_state(configuration: Configuration, near: ReferenceState) -> StateInNumbers | None:
-    """Accelerations and multipliers at a state; None where they are not determined. Raises NotCoveredError."""
+    """Accelerations and multipliers at a state; None if they are not determined. Raises NotCoveredError."""
     slots = configuration.slots
     rows = [configuration.rows[k] for k in near.used]
     in_rows = {s for row in rows for a in (*row.coefficients, row.drift) for s in a.free_symbols}
@@ -145,7 +145,7 @@ class RestInNumbers:
 
     position     coordinates, by symbol
     multipliers  by name of the constraint; without those of redundant ones
-    stable       whether the potential energy has a minimum there; None where that does not decide
+    stable       whether the potential energy has a minimum there; None if that does not decide
     agrees       whether Lagrange's equations hold there
     """
 
@@ -191,7 +191,7 @@ def check_rest_in_numbers(rest: RestInNumbers) -> list[Check]:
 def _reached(
     configuration: Configuration, values: dict[sp.Symbol, sp.Expr], used: Sequence[int]
 ) -> RestInNumbers | None:
-    """Newton's iteration; None where it does not converge, or the position is not determined. `values` are changed."""
+    """Newton's iteration; None if it does not converge, or the position is not determined. `values` are changed."""
     slots, n = configuration.slots, len(configuration.slots.coordinates)
     finite = [f for k in used if (f := configuration.rows[k].finite) is not None]
     pulls: list[Any] | None = None

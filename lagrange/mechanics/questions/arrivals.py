@@ -52,7 +52,7 @@ class Arrivals:
     def reached(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
         """The branches to which the motion gets, with the conditions of that; a doubt stays with the branch.
 
-        Raises ProblemError where it gets there only after a contact has ended.
+        Raises ProblemError if it gets there only after a contact has ended.
         """
         kept: list[AnswerBranch] = []
         parted: list[str] = []
@@ -219,7 +219,7 @@ def _follows(c: SignCondition, known: Sequence[SignCondition]) -> bool:
 
 
 def _margin(c: SignCondition) -> sp.Expr | None:
-    """What must not be negative; None for an equation or the like."""
+    """The expression that must not be negative; None for an equation and other relations."""
     way = {">": 1, "≥": 1, "<": -1, "≤": -1}.get(c.relation)
     return None if way is None else way * (c.lhs - c.rhs)
 
@@ -229,7 +229,7 @@ def approached(
 ) -> AnswerBranch:
     """The value for t → ∞ of a quantity, where a condition holds in this limit only: the final speed of a fall.
 
-    Raises ProblemError where the condition never holds, or the limit is not known.
+    Raises ProblemError if the condition never holds, or the limit is not known.
     """
     is_approached = any(fades(m.at_time(e.xreplace(dict(rule)))) for m in motions for e in when)
     value = limit_in_time(motions[0].at_time(quantity)) if is_approached and len(motions) == len(when) == 1 else None
@@ -242,13 +242,13 @@ def approached(
 def while_slipping(
     speeds: Sequence[sp.Expr], until: sp.Expr, sign: Callable[[sp.Expr], int | None]
 ) -> tuple[SignCondition, ...] | None:
-    """The conditions under which slip lasts up to a time; None where it has ended before, or never begins.
+    """The conditions under which slip lasts up to a time; None if it has ended before, or never begins.
 
     speeds  of the slip, as functions of time in the sense for which the equations hold: not negative while they do
     until   a time, or t itself
     sign    of an expression in parameters
 
-    Raises UndecidedError where that is not found.
+    Raises UndecidedError if that is not found.
     """
     conditions: list[SignCondition] = []
     for speed in speeds:
@@ -285,7 +285,7 @@ def while_slipping(
 def _least_of_wave(speed: sp.Expr, until: sp.Expr, sign: Callable[[sp.Expr], int | None]) -> list[sp.Expr] | None:
     """The least values of A + B cos ωt, or with the sine, between t = 0 and a time, without that at t = 0.
 
-    Two where the sign of B is open. None where the speed is no such wave, or ω times the time no number: for
+    Two where the sign of B is open. None if the speed is no such wave, or ω times the time no number: for
     z − sin ωt up to t = c/ω this is z − sin c, or z − 1 if c ≥ π/2.
     """
     e = sp.expand(speed)
@@ -311,7 +311,7 @@ def _least_of_wave(speed: sp.Expr, until: sp.Expr, sign: Callable[[sp.Expr], int
 def while_it_begins(
     setting: Setting, rule: SymbolValues, sign: Callable[[sp.Expr], int | None]
 ) -> list[SignCondition] | None:
-    """The conditions under which slip that is zero at t = 0 begins in the sense of the file; None where it does not."""
+    """The conditions under which slip that is zero at t = 0 begins in the sense of the file; None if it does not."""
     initial, slots = setting.initial, setting.place.configuration.slots
     pairs = list(zip(slots.velocities, slots.accelerations, strict=True))
     conditions = []

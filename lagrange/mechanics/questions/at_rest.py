@@ -88,7 +88,7 @@ def answers_at_rest(
     newton   the reactions; None without constraints
     second   the stability of its branches
 
-    Raises ProblemError where nothing determines the quantity, or the conditions hold in no position of equilibrium.
+    Raises ProblemError if nothing determines the quantity, or the conditions hold in no position of equilibrium.
     """
     reactions = () if newton is None else newton.reactions
     balance = [

@@ -46,7 +46,7 @@ class Chosen:
 
 @record
 class InitialMotion:
-    """The initial state, and what is known of the motion from it.
+    """The initial state, and what is known about the motion that starts from it.
 
     accelerations  as functions of the state
     free           the number of degrees of freedom
@@ -210,7 +210,7 @@ def _moving(b: AnswerBranch, q: sp.Symbol, way: int, start: sp.Expr | None) -> t
 
 
 def _without_negative_radii(b: AnswerBranch, beginning: InitialMotion) -> AnswerBranch | None:
-    """The part of a branch with no negative radius and each coordinate in its range; None where there is none."""
+    """The part of a branch with no negative radius and each coordinate in its range; None if there is none."""
     kept = tuple(
         s
         for s in b.states

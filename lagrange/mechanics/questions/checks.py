@@ -103,7 +103,7 @@ class _SecondRoute:
         value: sp.Expr,
         numbers: dict[sp.Symbol, sp.Expr],
     ) -> bool | None:
-        """Whether all holds at one state; None where the state is not known in full."""
+        """Whether all holds at one state; None if the state is not known in full."""
         question = asked.question
         at = dict(numbers)
         if question.quantity in self.parameters:
@@ -127,7 +127,7 @@ class _SecondRoute:
         at: dict[sp.Symbol, sp.Expr],
         filled: sp.Expr,
     ) -> bool | None:
-        """Whether all holds at one state, with a number for the coordinates that it leaves open and nothing binds."""
+        """Whether everything holds at one state, with numbers for coordinates neither given nor constrained."""
         own, present = self.own.configuration.slots, configuration.slots
         question = asked.question
         bound = {s for row in configuration.rows for s in (row.finite or sp.S.Zero).free_symbols}
@@ -213,7 +213,7 @@ def _holds(difference: sp.Expr, relation: str, numbers: Numbers) -> bool:
 
 
 def _number(e: sp.Expr, numbers: Numbers) -> sp.Expr | None:
-    """An expression in numbers; None where it is not real, or a symbol has none."""
+    """An expression in numbers; None if it is not real, or a symbol has none."""
     if not e.free_symbols <= numbers.keys():
         return None
     value = sp.N(e.xreplace(dict(numbers)), DIGITS)

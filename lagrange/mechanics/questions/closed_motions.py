@@ -77,7 +77,7 @@ class ClosedMotion:
 def closed_motions(
     accelerations: SymbolValues, initial: SymbolValues, wanted: set[sp.Symbol], rates: Sequence[sp.Expr] = ()
 ) -> list[ClosedMotion]:
-    """The wanted coordinates as functions of time, in each case; empty where one of them is not found.
+    """The wanted coordinates as functions of time, in each case; empty if one of them is not found.
 
     rates  what constraints on velocities make zero
     """
@@ -382,11 +382,11 @@ def _growth(square: sp.Expr, rate: sp.Expr) -> Iterator[tuple[sp.Expr, tuple[Sig
 
 @record
 class FromStart:
-    """What is known of the motion from the initial state.
+    """What is known about the motion from the initial state.
 
     choice     the coordinates; empty for the file's own
     initial    the state at t = 0 as the file gives it
-    motions    coordinates as functions of time, in each case; empty where they are not found
+    motions    coordinates as functions of time, in each case; empty if they are not found
     integrals  with their values
     """
 
@@ -401,7 +401,7 @@ def motion_from_start(
 ) -> FromStart | None:
     """The motion in the first place in which it is found in closed form, or the integrals in the first place of all.
 
-    Raises ProblemError where the initial state contradicts the constraints.
+    Raises ProblemError if the initial state contradicts the constraints.
     """
     initial = given_state(problem)
     settings = [Setting(place, problem, initial_state(place, problem, configurations)) for place in places]

@@ -87,7 +87,7 @@ def eliminated(
 def _through_one_function(
     equations: Sequence[sp.Expr], wanted: sp.Expr, given: State, unknowns: Sequence[sp.Symbol], called: sp.Expr
 ) -> Eliminated | None:
-    """The quantity where it is the only unknown, in e^(c x), tan(c x) or cosh(c x); None where it is not."""
+    """The quantity where it is the only unknown, in e^(c x), tan(c x) or cosh(c x); None if it is not."""
     used = set().union(*(e.free_symbols for e in equations)) & {*unknowns}
     if used != {wanted} or not isinstance(wanted, sp.Symbol) or wanted != called:
         return None
@@ -305,7 +305,7 @@ def _real_root(value: sp.Expr, conditions: Sequence[SignCondition]) -> sp.Expr:
 
 
 def _coordinate(u: sp.Symbol, b: Branch, point: Values, solved: SolutionSet) -> sp.Expr | None:
-    """An unknown at a point: an angle from its cosine and sine; None where it is open."""
+    """An unknown at a point: an angle from its cosine and sine; None if it is open."""
     stated = {r.lhs: r.rhs for r in b.relations}
     if u in stated and not stated[u].free_symbols & {*solved.unknowns}:
         return stated[u]
@@ -401,7 +401,7 @@ def _relation(relations: Sequence[Relation], wanted: sp.Expr) -> Relation | None
 
 
 def _without_repetitions(branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
-    """Each branch once: those that are stated alike are one."""
+    """The branches without repetitions, compared by their statements."""
     kept: dict[object, AnswerBranch] = {}
     for b in branches:
         key = (b.lhs, b.rhs, b.conditions)

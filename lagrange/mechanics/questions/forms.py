@@ -114,7 +114,7 @@ def with_whole_logarithms(form: Callable[[sp.Expr], sp.Expr], e: sp.Expr) -> sp.
 
 
 def with_joined_logarithms(e: sp.Expr) -> sp.Expr:
-    """g log(a/b) for g log a − g log b: what stands in a logarithm is a pure number."""
+    """g log(a/b) for g log a − g log b, so that arguments of logarithms are dimensionless."""
     return e.replace(lambda f: f.is_Add and len(f.atoms(sp.log)) > 1, _joined_logarithms)
 
 
@@ -295,7 +295,7 @@ def under(conditions: Sequence[SignCondition], asked: Asked) -> Asked:
 
 
 def without_weaker(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
-    """Each condition once, and no a ≥ b beside a > b."""
+    """The conditions, each once, without a ≥ b if a > b is among them."""
     kept = tuple(dict.fromkeys(conditions))
 
     def above(c: SignCondition) -> sp.Expr:

@@ -126,7 +126,7 @@ def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:
 
 
 def _is_new(e: sp.Expr, used: Sequence[UsedIntegral], place: MotionView) -> bool:
-    """Whether an integral tells more about the velocities than those that are known."""
+    """Whether an integral adds information about the velocities to the known ones."""
     configuration = place.configuration
     slots = configuration.slots
     rows = [[i.expression.diff(v) for v in slots.velocities] for i in used]
@@ -156,7 +156,7 @@ class ByIntegral:
 def multiple_of_integral(
     quantity: sp.Expr, called: sp.Expr, integrals: Sequence[UsedIntegral], moving: Collection[sp.Symbol]
 ) -> ByIntegral | None:
-    """The value of a multiple of an integral; None where the quantity is none.
+    """The value of a multiple of an integral; None if the quantity is none.
 
     called  the quantity as the file has it
     """
@@ -177,7 +177,7 @@ def parameter_of_integral(
     integrals: Sequence[UsedIntegral],
     moving: Collection[sp.Symbol],
 ) -> ByIntegral | None:
-    """The parameter for which an integral has a given value; None where the condition mentions no integral."""
+    """The parameter for which an integral has a given value; None if the condition mentions no integral."""
     if parameter is None or len(when) != 1 or count_operations(when[0]) >= LONGEST_EQUATION:
         return None
     for i in integrals:

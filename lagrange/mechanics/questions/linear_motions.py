@@ -57,7 +57,7 @@ def coupled_with(q: sp.Symbol, accelerations: SymbolValues) -> list[sp.Symbol]:
 def coupled_solutions(
     group: Sequence[sp.Symbol], accelerations: SymbolValues, initial: SymbolValues
 ) -> dict[sp.Symbol, Original]:
-    """The coordinates of a group as functions of time, each with its conditions; empty where they are not found."""
+    """The coordinates of a group as functions of time, each with its conditions; empty if they are not found."""
     system = _system(group, accelerations)
     needed = [s for q in group for s in (q, prime(q))]
     if system is None or len(group) > MOST_COUPLED or any(s not in initial for s in needed):
@@ -86,7 +86,7 @@ def coupled_solutions(
 def _system(
     group: Sequence[sp.Symbol], accelerations: SymbolValues
 ) -> tuple[sp.Matrix, sp.Matrix, list[sp.Expr]] | None:
-    """C, K and the transform of the forcing; None where the equations are not linear with constant coefficients."""
+    """C, K and the transform of the forcing; None if the equations are not linear with constant coefficients."""
     rows = [accelerations.get(prime(q, 2)) for q in group]
     state = {s for q in group for s in (q, prime(q))}
     still = dict.fromkeys(state, sp.S.Zero)
@@ -124,7 +124,7 @@ def _transform(forcing: sp.Expr) -> sp.Expr | None:
 
 
 def _original(above: sp.Expr, below: sp.Expr) -> Original | None:
-    """The function of time whose transform is a quotient of polynomials; None where it is not elementary."""
+    """The function of time whose transform is a quotient of polynomials; None if it is not elementary."""
     above, below = sp.fraction(sp.cancel(sp.together(above / below)))
     if not below.is_polynomial(_S):
         return None
@@ -223,7 +223,7 @@ def _of_pair(slope: sp.Expr, offset: sp.Expr, p: sp.Expr, q: sp.Expr) -> Origina
 
 
 def _root(square: sp.Expr) -> sp.Expr:
-    """√ of what is already a square as that."""
+    """√ of an expression, simplified if the expression is a square."""
     base, exponent = square.as_base_exp()
     if exponent == 2:
         return base
@@ -294,7 +294,7 @@ def _in_powers(b: sp.Expr, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[
 
 
 def since_start(e: sp.Expr) -> sp.Expr | None:
-    """∫_0^t e dt; None where it is not in the table, or a logarithm is not real at t = 0."""
+    """∫_0^t e dt; None if it is not in the table, or a logarithm is not real at t = 0."""
     if e == 0:
         return sp.S.Zero
     if e.is_rational_function(t):

@@ -82,7 +82,7 @@ def first_value(
     quantity: sp.Expr,
     constraints: Sequence[sp.Expr] = (),
 ) -> float | None:
-    """The quantity at the first time t > 0 at which the condition is zero; None where none was found.
+    """The quantity at the first time t > 0 at which the condition is zero; None if none was found.
 
     All expressions have numbers instead of parameters. In dependent coordinates the finite constraints must still hold
     where the search ends, up to `LARGEST_DRIFT`.
@@ -159,7 +159,7 @@ class _Program:
         self.steps: list[tuple[int, Callable[[list[float]], float]]] = []
 
     def place(self, e: sp.Expr) -> int:
-        """Where the value of an expression stands. Raises _UnknownError."""
+        """The index of the value of an expression. Raises _UnknownError."""
         if e not in self.places:
             step = None if e.is_number else self._step(e)
             self.places[e] = len(self.start)

@@ -81,7 +81,7 @@ class Orbit:
 
     def places(self, when: sp.Expr, sign: SignIn) -> list[tuple[sp.Expr, tuple[SignCondition, ...]]] | None:
         """The angles at which a condition on the state holds first, with the conditions under which the orbit gets
-        there; None where they are not found.
+        there; None if they are not found.
         """
         sense = sign(self.momentum)
         if sense not in (1, -1):
@@ -95,7 +95,7 @@ class Orbit:
         return [(place, (*conditions, *(more or ()))) for place, conditions, more in lasting]
 
     def lasts(self, end: sp.Expr, sign: SignIn) -> tuple[SignCondition, ...] | None:
-        """The conditions under which the orbit gets to an angle; None where it does not, or that is not known."""
+        """The conditions under which the orbit gets to an angle; None if it does not, or that is not known."""
         sense = sign(self.momentum)
         if sense not in (1, -1) or sign(end - self.start) != sense:
             return None
@@ -118,7 +118,7 @@ class Orbit:
 
 
 def orbit(accelerations: Symbols, initial: Symbols, coordinates: Sequence[sp.Symbol], sign: SignIn) -> Orbit | None:
-    """The orbit of a motion in a plane round a centre; None where it is no such motion, or no such field."""
+    """The orbit of a motion in a plane round a centre; None if it is no such motion, or no such field."""
     for r, phi in permutations(coordinates, 2):
         found = _orbit(r, phi, accelerations, initial, sign)
         if found is not None:
@@ -174,7 +174,7 @@ def _moves(s: sp.Symbol, accelerations: Symbols) -> bool:
 def _solved(
     constant: sp.Expr, k: sp.Expr, phi: sp.Symbol, ends: tuple[sp.Expr, sp.Expr, sp.Expr], sense: int | None
 ) -> sp.Expr | None:
-    """The solution of d²u/dφ² = α − k u; None where the sign of k is not known.
+    """The solution of d²u/dφ² = α − k u; None if the sign of k is not known.
 
     ends  φ_0, u_0 and du/dφ there
     """

@@ -27,7 +27,7 @@ from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NO
 
 
 def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way: int) -> sp.Expr | None:
-    """The positive time in which q goes from `start` to `end` in the direction `way`; None where it is not found."""
+    """The positive time in which q goes from `start` to `end` in the direction `way`; None if it is not found."""
     place = sp.Dummy(q.name, positive=True)
     # |q'| is integrated over the distance already covered, so that its roots are real.
     away = start + way * place
@@ -79,7 +79,7 @@ def speed_stated(
     initial: Mapping[sp.Symbol, sp.Expr],
     slots: Slots,
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
-    """v, v' as a function of v alone, v_0 and v_1, where the condition is v = v_1; None where it is no such motion."""
+    """v, v' as a function of v alone, v_0 and v_1, where the condition is v = v_1; None if it is no such motion."""
     moving = {*slots.coordinates, *slots.velocities, t}
     speeds = when[0].free_symbols & {*slots.velocities} if len(when) == 1 else set()
     if len(speeds) != 1:
@@ -95,7 +95,7 @@ def speed_stated(
 def time_between_speeds(
     v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Expr, weight: sp.Expr = sp.S.One
 ) -> sp.Expr | None:
-    """∫ w dv/v' from one speed to another, for one sense of v; None where it is not found."""
+    """∫ w dv/v' from one speed to another, for one sense of v; None if it is not found."""
     size = sp.Dummy(v.name, positive=True)
     sense = 1 if sign_of(start) == 1 or (start == 0 and sign_of(end) == 1) else -1
     if sign_of(sense * start) not in (0, 1) or sign_of(sense * end) not in (0, 1):
@@ -117,7 +117,7 @@ def taken_between_speeds(
     values: Mapping[sp.Symbol, sp.Expr],
     is_time: bool = True,
 ) -> tuple[sp.Expr, tuple[SignCondition, ...]] | None:
-    """The same time, or the way ∫ v dv/v', with the condition that v goes from one to the other; None where it is not
+    """The same time, or the way ∫ v dv/v', with the condition that v goes from one to the other; None if it is not
     found.
     """
     way = sign_of(rate.xreplace({v: start}))
@@ -130,7 +130,7 @@ def taken_between_speeds(
 def number_between(
     q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]
 ) -> sp.Float | None:
-    """The same time in numbers, where all parameters have values; None where one is missing, or it is not accurate.
+    """The same time in numbers, where all parameters have values; None if one is missing, or it is not accurate.
 
     A motion that begins or ends at rest has a singularity 1/√x there, which this rule (tanh-sinh) integrates.
     """
@@ -156,7 +156,7 @@ def number_between(
 
 def share_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr | None:
     """The time as a number times a product of letters, where all of these come in front of the integral over the share
-    of the way that is covered, as in a field whose force is a power of the distance; None where they do not.
+    of the way that is covered, as in a field whose force is a power of the distance; None if they do not.
     """
     share = sp.Dummy("u", positive=True)
     way = end - start

@@ -66,7 +66,7 @@ def answers_to_questions(
     places          in the order in which they are tried
     configurations  all sets of coordinates
 
-    Raises ProblemError where the initial state contradicts the constraints, where a condition never holds, and where
+    Raises ProblemError if the initial state contradicts the constraints, where a condition never holds, and where
     nothing determines the quantity.
     """
     settings = [Setting(place, problem, initial_state(place, problem, configurations)) for place in places]
@@ -165,7 +165,7 @@ class _Search:
                     yield Substituted(s, value)
 
     def answer(self) -> Asked:
-        """The answer, or what is known of it. Raises ProblemError where there is none."""
+        """The answer, or the partial results towards it. Raises ProblemError if there are none."""
         named = (self.question.quantity, *(c.function for c in self.question.when))
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"
@@ -413,7 +413,7 @@ class _Search:
         )
 
     def _on_orbit(self) -> Asked | None:
-        """The answer from the orbit round a centre, at an angle or as a function of it; None where there is none."""
+        """The answer from the orbit round a centre, at an angle or as a function of it; None if there is none."""
         sign = self._beginning.sign
         accelerations = {a: e.xreplace(self.rule) for a, e in self.known.accelerations.items()}
         found = orbit(accelerations, self.setting.initial, self._beginning.own, sign)
@@ -438,7 +438,7 @@ class _Search:
     # -- in time -------------------------------------------------------------------------------------------------------
 
     def _in_time(self) -> Asked | None:
-        """The answer from the solution of the equations of motion; None where that is not found."""
+        """The answer from the solution of the equations of motion; None if that is not found."""
         state = {*self.slots.coordinates, *self.slots.velocities}
         rule = self.rule
         named = {s for e in (self.quantity, *self.when) for s in e.xreplace(rule).free_symbols & state}
@@ -484,7 +484,7 @@ class _Search:
         return [] if self._is_at_start else [e.xreplace(self.rule) for e in self.setting.stated_slips]
 
     def _while_slipping(self, b: AnswerBranch, motion: ClosedMotion) -> AnswerBranch | None:
-        """The branch with the conditions under which slip lasts up to it; None where it has ended."""
+        """The branch with the conditions under which slip lasts up to it; None if it has ended."""
         speeds = [motion.at_time(e) for e in self._slips]
         by_time = self.question.by == t
         if by_time:

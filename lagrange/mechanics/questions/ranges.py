@@ -42,7 +42,7 @@ def not_determined(question: Question, free: Iterable[sp.Symbol], not_given: Ite
 
 
 def mixed(question: Question) -> Diagnostic:
-    """No set of coordinates has all that the question mentions."""
+    """The failure in which no set of coordinates covers all that the question mentions."""
     message = f"the question `{question.name}` mixes coordinates of several choices"
     help_ = "use the file's coordinates, and those of one choice"
     return Diagnostic("mixed-choices", message, question.span, help=help_)
@@ -92,7 +92,7 @@ _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
 
 
 def in_ranges(b: AnswerBranch, configuration: Configuration, values: SymbolValues) -> AnswerBranch | None:
-    """The part of a branch in the ranges of the coordinates; None where there is none."""
+    """The part of a branch in the ranges of the coordinates; None if there is none."""
     kept = [s for s in b.states if not any(_is_outside(q, s, configuration, values) for q in configuration.ranges)]
     return b.at(kept) if kept or not b.states else None
 

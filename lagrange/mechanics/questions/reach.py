@@ -115,7 +115,7 @@ class Path:
         return zeros is not None and all(self._inside(p, end, way) is False for p in zeros)
 
     def turning_places(self) -> list[sp.Expr] | None:
-        """All q with f = 0, of an angle over some turns; None where they are not found."""
+        """All q with f = 0, of an angle over some turns; None if they are not found."""
         zeros = self._zeros(self.square)
         return None if zeros is None else [p for p, _ in zeros]
 
@@ -209,7 +209,7 @@ class Path:
         return bool(self.square.has(sp.cos, sp.sin)) and self._at(self.q + 2 * sp.pi) == self.square
 
     def _zeros(self, e: sp.Expr) -> list[tuple[sp.Expr, tuple[SignCondition, ...]]] | None:
-        """All zeros in closed form, those of a periodic function over some periods; None where they are not found."""
+        """All zeros in closed form, those of a periodic function over some periods; None if they are not found."""
         zeros = _zeros_of(e, self.q)
         turns: Sequence[int] = range(-2, 3) if self._is_periodic else range(1)
         if zeros is None:
@@ -240,7 +240,7 @@ class Path:
         return sign_of_value(e, self.known)
 
     def _number(self, e: sp.Expr) -> sp.Expr | None:
-        """An expression with the values of the parameters; None where one is missing, or it is not real."""
+        """An expression with the values of the parameters; None if one is missing, or it is not real."""
         if not e.free_symbols <= self.values.keys():
             return None
         value = sp.N(e.xreplace(dict(self.values)), 20)
@@ -249,7 +249,7 @@ class Path:
 
 @lru_cache(maxsize=MOST_FUNCTIONS)
 def _zeros_of(e: sp.Expr, q: sp.Symbol) -> tuple[tuple[sp.Expr, tuple[SignCondition, ...]], ...] | None:
-    """All zeros in closed form, of a periodic function in one period; None where they are not found."""
+    """All zeros in closed form, of a periodic function in one period; None if they are not found."""
     if sign_of(e) in (1, -1):
         return ()
     elimination = eliminated([e], q, [q], [], q)
@@ -319,7 +319,7 @@ def _along(setting: Setting, own: Collection[sp.Symbol], when: Sequence[sp.Expr]
 
 
 def _turning(setting: Setting, own: Collection[sp.Symbol]) -> Sequence[sp.Expr] | None:
-    """The coordinate at all states of rest, for one that moves by itself; None where they are not known."""
+    """The coordinate at all states of rest, for one that moves by itself; None if they are not known."""
     moving = [q for q in own if setting.known.accelerations.get(prime(q, 2), 0) != 0]
     if len(moving) != 1 or moving[0] not in setting.initial:
         return None

@@ -39,7 +39,7 @@ from lagrange.problem.model import Problem, Question
 
 
 class Setting:
-    """A place with all that questions need of it, found once.
+    """A position with all data that questions need about it, computed once.
 
     initial   the state at t = 0, or a later one from which the motion goes on
     senses    the signs of velocities whose modulus occurs, where they are not those of the initial state
@@ -79,7 +79,7 @@ class Setting:
         return [*map(self.known.on_side, stated), *(s * q for q, s in sides.items())]
 
     def square_of(self, q: sp.Symbol) -> sp.Expr | None:
-        """q'^2 as a function of q alone; None where the integrals do not give it."""
+        """q'^2 as a function of q alone; None if the integrals do not give it."""
         if q not in self._squares:
             self._squares[q] = self._square(q)
         return self._squares[q]
@@ -132,7 +132,7 @@ class Setting:
         return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
 
     def refuse_rolling(self, question: Question) -> None:
-        """Raises ProblemError where slip does not begin."""
+        """Raises ProblemError if slip does not begin."""
         if self.known.rolling:
             raise ProblemError(does_not_slip(question))
 
@@ -154,7 +154,7 @@ class Setting:
 
 
 def all_coordinates(configuration: Configuration) -> Iterator[sp.Symbol]:
-    """The coordinates of a configuration, and those that it expresses by these."""
+    """The coordinates of a configuration, and those expressed in terms of them."""
     yield from configuration.slots.coordinates
     yield from configuration.expressed
 
@@ -218,7 +218,7 @@ def _has_sign(slope: sp.Expr) -> bool:
 
 
 def reduced(equations: Sequence[sp.Expr], rule: Substitution) -> list[sp.Expr]:
-    """The equations with what is dependent expressed, without those that hold by themselves."""
+    """The equations with dependent symbols substituted, without those that become identities."""
     changed = [e.xreplace(dict(rule)) for e in equations]
     return [e for e, old in zip(changed, equations, strict=True) if e is old or e == old or not vanishes(e)]
 

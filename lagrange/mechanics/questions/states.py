@@ -74,7 +74,7 @@ class MotionView:
 
 @record
 class Meanings:
-    """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known.
+    """The values of symbols of questions at a state: accelerations, reactions, energies; None if unknown.
 
     senses    the signs with which velocities and speeds of slip start, where |q'| or sign q' is replaced by their means
     sides     the signs with which coordinates and their differences start, likewise for |q| and |x − y|
@@ -136,7 +136,7 @@ def meanings(place: MotionView) -> Meanings:
 
 
 def _accelerations(place: MotionView) -> SymbolValues:
-    """q'' of the coordinates; those that cannot be solved for are missing."""
+    """q'' of the coordinates, without those that cannot be solved for."""
     configuration = place.configuration
     wanted = configuration.slots.accelerations
     equations = [*place.dynamics.equations.expressions, *configuration.accelerated_constraints]
@@ -347,7 +347,7 @@ def initial_state(place: MotionView, problem: Problem, others: Sequence[Configur
 
 
 def _check_radii(known: SymbolValues, problem: Problem) -> None:
-    """Raises ProblemError where the radius of the frame begins negative."""
+    """Raises ProblemError if the radius of the frame begins negative."""
     frame = problem.frame
     first = frame.names[0] if frame is not None and frame.turning else ""
     for v in problem.initial:
@@ -380,7 +380,7 @@ def _from_choices(
 def _positions(
     equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], known: SymbolValues
 ) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates that the equations determine beside those that are known."""
+    """The coordinates determined by the equations and the known coordinates."""
     open_ = [e for e in (f.xreplace(dict(known)) for f in equations) if e.free_symbols & {*coordinates}]
     unknown = [q for q in coordinates if q not in known]
     if not open_ or not unknown:
@@ -398,7 +398,7 @@ def _positions(
 def _velocities(
     equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol], known: SymbolValues
 ) -> dict[sp.Symbol, sp.Expr]:
-    """The velocities that equations linear in them determine beside those that are known."""
+    """The velocities determined by equations linear in them and the known velocities."""
     rates: dict[sp.Symbol, sp.Expr] = {}
     for _ in velocities:
         for e in equations:
@@ -441,7 +441,7 @@ def _together(equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol]) -> 
 def _check(
     place: MotionView, known: SymbolValues, problem: Problem, conditions: Sequence[tuple[sp.Expr, InitialValue]]
 ) -> None:
-    """Raises ProblemError where the initial state contradicts a constraint."""
+    """Raises ProblemError if the initial state contradicts a constraint."""
     configuration = place.configuration
     moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
     last = problem.initial[-1].span

@@ -45,7 +45,7 @@ class TimeRoot:
 
 
 def times(equation: sp.Expr, positive: bool = True) -> list[TimeRoot] | None:
-    """The positive roots, of a periodic function the first; None where they are not found in closed form.
+    """The positive roots, of a periodic function the first; None if they are not found in closed form.
 
     positive  whether roots of unknown sign get the condition that they are positive; what is negative is never a root
     """
@@ -68,7 +68,7 @@ def _sign(root: TimeRoot) -> int | None:
 
 
 def _positive(root: TimeRoot) -> TimeRoot | None:
-    """The root with the condition that it is positive, where that is open; None where it is not."""
+    """The root with the condition that it is positive, where that is open; None if it is not."""
     sign = _sign(root)
     if sign in (0, -1):
         return None

@@ -83,7 +83,7 @@ def _reduced(e: sp.Expr, rules: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
 
 
 def _in_one_fraction(x: sp.Expr) -> sp.Expr:
-    """A sum of fractions as one, with a denominator that is not negative where that can be seen."""
+    """A sum of fractions as a single fraction, with a nonnegative denominator where its sign is known."""
     above, below = sp.fraction(sp.together(x))
     if not x.is_Add or above.is_number or below.is_number:
         return x
@@ -100,7 +100,7 @@ def _in_one_fraction(x: sp.Expr) -> sp.Expr:
 def forces_in_turn(
     law: NewtonLaw, own: InCoordinates, view: InCoordinates, accelerations: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr] | None:
-    """The forces by accelerations and by forces before them; None where no law has a single unknown, or they differ.
+    """The forces by accelerations and by forces before them; None if no law has a single unknown, or they differ.
 
     own            the file's coordinates, in which the laws are
     view           those in which the forces are wanted

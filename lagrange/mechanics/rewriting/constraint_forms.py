@@ -59,7 +59,7 @@ def without_common_number(row: Row) -> Row:
 def with_short_forms(classification: Classification) -> Classification | None:
     """The classification with the geometric forms without common factors.
 
-    None where no geometric form has a common factor, or where other forms are written as combinations of them.
+    None if no geometric form has a common factor, or where other forms are written as combinations of them.
     """
     numbers = {c.row.name: common_number(c.row) for c in classification.constraints if c.row.finite is not None}
     if all(n == 1 for n in numbers.values()) or classification.hidden.found or classification.redundancies:
@@ -219,7 +219,7 @@ class FreeDisplacements:
 
 
 def free_displacements(elimination: Elimination, slots: Slots, taken: Collection[str]) -> FreeDisplacements | None:
-    """The displacements by a parameter, whose letter is not `taken`; None where not one of the free ones is divided."""
+    """The displacements by a parameter, whose letter is not `taken`; None if not one of the free ones is divided."""
     sizes = Sizes()
     if any(
         sizes.of(e).size > LONGEST_CANCELLED or _is_fraction_of_many(e, sizes)

@@ -80,7 +80,7 @@ def _positive_powers(e: sp.Expr) -> dict[sp.Symbol, int]:
 
 
 def letter_for(value: sp.Expr, name: str) -> sp.Symbol:
-    """A symbol that abbreviates a value: positive where that is seen to be."""
+    """A symbol that abbreviates a value, declared positive if the value is known to be."""
     return sp.Symbol(name, positive=True) if sp.expand(value).is_positive else sp.Symbol(name, real=True)
 
 
@@ -96,7 +96,7 @@ SIGN_OF_ROOT = Sign("sigma_1")
 
 
 def both_roots(roots: Sequence[sp.Expr]) -> sp.Expr | None:
-    """Two conjugate roots (a − √b)/c and (a + √b)/c as (a + σ √b)/c; None where they are not such."""
+    """Two conjugate roots (a − √b)/c and (a + √b)/c as (a + σ √b)/c; None if they are not such."""
     if len(roots) != 2:
         return None
     middle, half = sp.factor((roots[0] + roots[1]) / 2), sp.factor_terms((roots[1] - roots[0]) / 2)

@@ -33,7 +33,7 @@ from lagrange.mechanics.results import InCoordinates, Solution
 def without_given_rates(view: InCoordinates) -> WithEliminatedRates | None:
     """The equations of motion with the velocities substituted that constraints on velocities give.
 
-    For a ball that rolls in a bowl, (R − r) φ' + r ψ' = 0, this is 7 (R − r) φ'' + 5 g sin φ = 0. None where a
+    For a ball that rolls in a bowl, (R − r) φ' + r ψ' = 0, this is 7 (R − r) φ'' + 5 g sin φ = 0. None if a
     coordinate remains whose velocity was substituted, or where the equations become no shorter.
     """
     motion = view.motion
@@ -139,7 +139,7 @@ class HeldTogether:
 
 
 def held_together(solution: Solution) -> HeldTogether | None:
-    """The coordinates that constraints hold only together, in the file's coordinates; None where there are none.
+    """The coordinates that constraints hold only together, in the file's coordinates; None if there are none.
 
     Their values are those of the initial state; angles of which that says nothing are zero if the constraints allow it.
     """

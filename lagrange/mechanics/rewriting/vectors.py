@@ -61,7 +61,7 @@ def unit_directions(problem: Problem) -> Directions:
 
 
 def unit_along(vector: Vector, units: Directions) -> sp.Expr | None:
-    """e or −e, where a vector is that; None where it is neither."""
+    """e or −e, where a vector is that; None if it is neither."""
     for name, unit in units.items():
         for sign in (1, -1):
             if all(is_zero(c) is True for c in (vector.fixed() - unit * sp.Integer(sign)).components):
@@ -217,7 +217,7 @@ def where_constant(solution: Solution, v: Vector) -> Vector:
 
 
 def sum_along_axes(shares: Sequence[tuple[Vector, sp.Expr]], axes: Axes) -> sp.Expr | None:
-    """The sum of force times direction along perpendicular unit vectors; None where that is not much shorter.
+    """The sum of force times direction along perpendicular unit vectors; None if that is not much shorter.
 
     shares  of each reaction, its direction for a force 1, and the force
     """

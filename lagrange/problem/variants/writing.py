@@ -37,7 +37,7 @@ class _Edit:
 def variant_source(source: Source, seed: str) -> Source:
     """The problem file of the variant that a seed draws, under the name of the original.
 
-    Raises ProblemError where the file has mistakes or no `vary`, where the seed is empty or too long, and where the
+    Raises ProblemError if the file has mistakes or no `vary`, where the seed is empty or too long, and where the
     values cannot be written into the file.
     """
     problem = read_problem(source)
@@ -150,7 +150,7 @@ def _scalar(value: str) -> str:
 
 
 def _check(variant: Source, problem: Problem, values: Mapping[str, str]) -> None:
-    """Raises ProblemError where the written file is not the problem with these values."""
+    """Raises ProblemError if the written file is not the problem with these values."""
     again = read_problem(variant)
     before = {p.symbol.name: p.value for p in problem.parameters}
     after = {p.symbol.name: p.value for p in again.parameters}

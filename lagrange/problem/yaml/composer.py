@@ -263,7 +263,7 @@ class Composer:
         self.deepest = 0
 
     def document(self) -> Node | None:
-        """The first document; None where there is none."""
+        """The first document; None if there is none."""
         root: Node | None = None
         for event in self.events:
             if isinstance(event, yaml.DocumentStartEvent) and root is not None:
@@ -486,7 +486,7 @@ def _opened(node: Node) -> int:
 
 
 def _first_document(source: Source, diagnostics: Diagnostics) -> Node | None:
-    """The first document; None where there is none.
+    """The first document; None if there is none.
 
     Since libyaml 0.2.6 the C library has a limit of its own for nesting. As it looks ahead for the colon of a key, it
     can give up before the event that is too deep for a problem file: the text up to there is read to find that place.

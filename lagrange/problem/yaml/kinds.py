@@ -22,7 +22,7 @@ class OneOf:
 
 @record
 class ListOf:
-    """A list; `most` is None where it may have any length."""
+    """A list; `most` is None if it may have any length."""
 
     item: Kind
     least: int = 0

@@ -109,7 +109,7 @@ class ScalarText(Fragment):
 
 
 def _places(text: str, written: Iterator[Place]) -> list[Place] | None:
-    """The place of each character of a text; None where the written characters are others."""
+    """The place of each character of a text; None if the written characters are others."""
     places: list[Place] = []
     for char in text:
         if char.isspace():

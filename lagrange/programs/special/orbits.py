@@ -30,7 +30,7 @@ _AXES = ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0))
 
 
 def orbit(states: StateEquations, values: FloatValues, state: Sequence[float]) -> list[float] | None:
-    """The state with the velocities of a nearly circular orbit; None where nothing attracts or nothing can turn."""
+    """The state with the velocities of a nearly circular orbit; None if nothing attracts or nothing can turn."""
     e = states.equations
     if e.kept or e.speeds != e.slots.velocities or not e.speeds:
         return None
@@ -100,7 +100,7 @@ class _Orbits:
                 yield _Distance(base, 2 if root == 2 else 1)
 
     def _pattern(self, distance: _Distance, slope: Any) -> Any:
-        """The velocities of a rotation with angular velocity 1 that keeps a distance; None where there is none."""
+        """The velocities of a rotation with angular velocity 1 that keeps a distance; None if there is none."""
         import numpy
 
         centre = self._mass_centre(slope)

@@ -22,7 +22,14 @@ from lagrange.document.derivation import (
     math,
     prose,
 )
-from lagrange.explain.page.economy import freedom_in_one, in_pairs, lagrangian_once, likewise_in_a_line, said_before
+from lagrange.explain.page.economy import (
+    freedom_in_one,
+    in_pairs,
+    joined,
+    lagrangian_once,
+    likewise_in_a_line,
+    said_before,
+)
 from lagrange.render import terminal
 from tests.support.shared import reported
 
@@ -104,6 +111,17 @@ def test_classification_and_freedom_are_one_section() -> None:
     )
     assert one.title == "Classification and degrees of freedom"
     assert one.body == (prose("holonomic"), prose("2"))
+
+
+def test_successive_steps_are_joined_and_none_is_lost() -> None:
+    names = ["a", "b", "b", "b", "c"]
+
+    def join(first: Step, second: Step) -> Step | None:
+        return step(*first.body, *second.body, title=first.title) if first.title == second.title else None
+
+    found = [*joined([step(prose(str(n)), title=name) for n, name in enumerate(names)], join)]
+    assert [(s.title, len(s.body)) for s in found] == [("a", 1), ("b", 3), ("c", 1)]
+    assert [*joined([], join)] == []
 
 
 def test_a_further_form_that_is_not_integrable_takes_one_paragraph() -> None:

@@ -121,7 +121,7 @@ def _of_frequencies(stated: Sequence[Fragment], solution: Solution) -> AnswerVer
 
 
 def _is_frequency(fragment: Fragment, reference: Reference) -> bool:
-    """Whether a line gives frequencies by parameters alone; `T = ...`, only where it says so."""
+    """Whether a line gives frequencies in terms of parameters; a line `T = ...` only if it says that it is a period."""
     if not re.match(r"\s*\$?\s*\\?(?:omega|ω)", fragment.text) and not _OSCILLATION.search(_line(fragment)):
         return False
     try:
@@ -153,7 +153,7 @@ def _of_steady_motion(lines: Sequence[Fragment], solution: Solution) -> Iterator
 
 
 def _line(fragment: Fragment) -> str:
-    """The line of a text in which a fragment ends, up to there, with the words that stand beside it."""
+    """The line in which a fragment ends, up to the fragment's end, with the words next to it."""
     span, text = fragment.span(0, len(fragment.text)), fragment.whole.source.text
     first = text.rfind("\n", 0, span.start) + 1
     stop = text.find("\n", span.end)

@@ -90,7 +90,7 @@ _DASH = re.compile(r"\s*[-–—+]\s+(?=\S)")
 
 
 def cells_of_row(line: str) -> list[tuple[int, int]]:
-    """Where the cells of a row of a table begin and end; none where a line is no such row."""
+    """Where the cells of a row of a table begin and end; none if a line is no such row."""
     bars = [m.start() for m in _CELL.finditer(line)] if line.strip()[:1] == line.strip()[-1:] == "|" else []
     if len(bars) < 3:
         return []
@@ -118,7 +118,7 @@ _DEFINES = re.compile(
 
 @record
 class Macro:
-    """What a command stands for."""
+    """The replacement text of a command."""
 
     body: str
     arguments: int = 0

@@ -65,7 +65,7 @@ _L_NAMED = re.compile(
 
 
 def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = False) -> Fragment:
-    """A text in LaTeX with other commands written as those that are read."""
+    """A LaTeX text with other commands replaced by those that are understood."""
     draft = Draft(fragment)
     characters(draft)
     special_latex(draft)

@@ -152,7 +152,7 @@ def has_matrix(text: str) -> bool:
 
 
 def rows_of_matrices(text: str) -> list[str]:
-    """The equations of the rows; none where the text is no equation between columns."""
+    """The equations of the rows; none if the text is no equation between columns."""
     return _equations(
         text,
         [
@@ -167,7 +167,7 @@ def rows_of_matrices(text: str) -> list[str]:
 
 
 def rows_of_lists(text: str) -> list[str]:
-    """The equations of the rows of lists in plain text; none where the text is no equation between columns."""
+    """The equations of the rows of lists in plain text; none if the text is no equation between columns."""
     if not any(sign in text for sign in ("[", "{", "■")) or text.count("=") != 1 + text.count("=="):
         return []
     matrices = _lists(text.replace("==", "= "))

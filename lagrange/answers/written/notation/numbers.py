@@ -190,6 +190,6 @@ def _has_several(before: str) -> bool:
 
 
 def _is_argument(text: str, at: int) -> bool:
-    r"""Whether a comma stands in the braces of LaTeX that hold a value, `\frac{2,5}{3}` or `\sqrt{0,5}`."""
+    r"""Whether a comma is inside the braces of a LaTeX argument, as in `\frac{2,5}{3}` or `\sqrt{0,5}`."""
     opening = text.rfind("{", 0, at)
     return opening > 0 and re.search(r"(?:\\[A-Za-z]+|\})\s*\Z", text[max(0, opening - 12) : opening]) is not None

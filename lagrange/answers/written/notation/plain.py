@@ -431,7 +431,7 @@ def _rate(match: re.Match[str], scope: Scope) -> str | None:
 
 
 def is_velocity(name: str, dots: str, scope: Scope) -> bool:
-    """Whether a name, or its derivative, is a velocity: `dv/dx` is then meant along the motion, v'/x'.
+    """Whether a name or its derivative is a velocity, so that `dv/dx` means v'/x' along the motion.
 
     An energy depends on velocities too, by their squares, and its derivatives are partial ones.
     """

@@ -87,7 +87,7 @@ Column = list[str]
 
 @record
 class _Function:
-    """The statements of one state function, as far as they have been read.
+    """The statements of one state function that have been read so far.
 
     base      the index of the first component: 0 in Python, 1 in MATLAB and Julia
     known     abbreviation -> what it stands for
@@ -434,7 +434,7 @@ def _receiver(text: str, end: int, begins: dict[int, int]) -> int:
 
 
 def by_method_of_lagrange(text: str) -> list[str]:
-    """Lagrange's equations that `LagrangesMethod(L, [x, y])` stands for; none where it has forces as well."""
+    """Lagrange's equations as `LagrangesMethod(L, [x, y])` computes them; none if it also has forces."""
     match = _METHOD_OF_LAGRANGE.search(text)
     if match is None:
         return []
@@ -463,7 +463,7 @@ def by_comprehension(text: str) -> list[str]:
 
 
 def one_by_one(text: str) -> Iterator[tuple[int, int, int, int]]:
-    """Where each name and its value stand in `a, b = c, d`; nothing where the text is no such assignment."""
+    """The positions of each name and its value in `a, b = c, d`; none if the text is no such assignment."""
     match = _SEVERAL.match(text)
     if match is None:
         return

@@ -85,7 +85,7 @@ def special(draft: Draft, scope: Scope) -> None:
 
 
 def with_indices(fragment: Fragment, scope: Scope) -> Fragment:
-    """`x1 = ...` as x_1 = ..., so that it is no definition of another name."""
+    """`x1 = ...` as x_1 = ..., so that it does not define a new name."""
     if is_latex(fragment) or not _INDEX.search(fragment.text):
         return fragment
     draft = Draft(fragment)
@@ -146,7 +146,7 @@ _SIGN = re.compile(r"(?<=[^\s(])\s*[+−-](?!\Z)")
 
 
 def with_operators(draft: Draft, names: frozenset[str]) -> None:
-    """Write the operators as derivatives; `names` are those that D, D^2 may be joined with, as in `Dx`."""
+    """Write the operators as derivatives; `names` are those that D and D^2 may be attached to, as in `Dx`."""
     if "D" not in draft.text:
         return
     if names:
@@ -287,7 +287,7 @@ def ratio_as_fractions(text: str) -> Iterator[Edit]:
 
 
 def _members(side: str) -> list[str]:
-    """The members of a ratio; none where one of them is empty."""
+    """The members of a ratio; none if one of them is empty."""
     members = [side[start:end].strip(" $&~") for start, end in cuts(side, _COLON)]
     return members if all(members) else []
 

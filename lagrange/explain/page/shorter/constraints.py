@@ -336,7 +336,7 @@ def _condition(solving: Prose) -> tuple[Part, ...]:
 
 
 def _velocities_solved(body: list[Block]) -> list[Block]:
-    """Velocities and accelerations side by side, or in a sentence where there is one of each."""
+    """Velocities and accelerations side by side, or in a sentence if there is one of each."""
     at = _place(Purpose.RATES, body)
     if at is None:
         return body

@@ -82,7 +82,7 @@ def _held(solution: Solution) -> dict[sp.Symbol, sp.Expr]:
 def _at(rule: dict[sp.Symbol, sp.Expr], block: Block) -> Block:
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_held_line(rule, e) for e in block.equations))
+    return block.map(lambda e: _held_line(rule, e))
 
 
 def _held_line(rule: dict[sp.Symbol, sp.Expr], e: Equation) -> Equation:
@@ -108,7 +108,7 @@ _BEFORE = (
 
 
 def with_values_put_in(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
-    """The steps of a page with the values, and a sentence that says so at the end of the constraints."""
+    """The steps of a page with the values substituted, and a sentence saying so at the end of the constraints."""
     held = held_together(solution)
     about = [n for n, s in enumerate(steps) if s.rule is Rule.CONSTRAINT and not s.folded]
     if held is None or not about:
@@ -139,7 +139,7 @@ def _announced(held: HeldTogether) -> Prose:
 
 
 def _forces(held: HeldTogether, step: Step, solution: Solution) -> Iterator[Block]:
-    """The forces, and what is said of contact after them."""
+    """The forces, followed by the statements about contact."""
     yield prose("With these values, Newton's law and the law of angular momentum give")
     lines = [e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations]
     labels = {e.sides[0]: e.label for e in lines}
@@ -186,7 +186,7 @@ def _sides(rule: Mapping[sp.Symbol, sp.Expr], sides: Iterable[Mathematics]) -> t
 
 
 def _without_constants(e: sp.Expr) -> sp.Expr:
-    """A sum that is constant, or whose rate is meant, without the terms that are so by themselves."""
+    """A sum, constant or to be differentiated, without the terms that are themselves constant."""
     terms = [a for a in sp.Add.make_args(e) if any(not s.is_positive for s in a.free_symbols)]
     return sp.Add(*terms, evaluate=False) if 0 < len(terms) < len(sp.Add.make_args(e)) else e
 

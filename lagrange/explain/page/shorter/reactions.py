@@ -147,7 +147,7 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
 def with_stated_forces(
     solution: Solution, steps: Sequence[Step], forces: StatedEquations, stated: StatedEquations
 ) -> list[Step]:
-    """The steps with the reactions in these forms, as far as they are shorter; what is folded stays.
+    """The steps with the reactions in these forms where they are shorter; folded parts stay unchanged.
 
     forces  as the answers have them
     stated  the equations of motion there
@@ -171,7 +171,7 @@ def with_stated_forces(
 def _blocks(line: Callable[[Equation], Equation], body: Sequence[Block]) -> Iterator[Block]:
     for block in body:
         if isinstance(block, Display) and block.boxed:
-            yield replace(block, equations=tuple(map(line, block.equations)))
+            yield block.map(line)
         else:
             yield block
 
@@ -222,7 +222,7 @@ def _block(block: Block, units: Directions) -> Block:
     if isinstance(block, Prose):
         return replace(block, parts=tuple(_part(p, units) for p in block.parts))
     if isinstance(block, Display):
-        return replace(block, equations=tuple(_by_directions(e, units) for e in block.equations))
+        return block.map(lambda e: _by_directions(e, units))
     return block
 
 

@@ -96,7 +96,7 @@ def _words(block: Prose, follows: Block | None) -> Prose:
 
 
 def _count(block: Prose) -> int:
-    """How many multipliers a paragraph names before it says what becomes of them."""
+    """The number of multipliers that a paragraph names before saying what becomes of them."""
     end = index_of(Purpose.VERB, block.parts)
     return sum(isinstance(p, Math) for p in block.parts[:end])
 
@@ -141,7 +141,7 @@ _TURNED = {Rule.RESULT: {"≤": "≥", "<": ">"}, Rule.FRICTION_AT_REST: {"≤":
 
 
 def with_symbol_first(steps: Sequence[Step]) -> Iterator[Step]:
-    """The steps, the conditions of rest turned round where a single symbol stands on the right."""
+    """The steps, with conditions of rest reversed if a single symbol is on the right."""
     for step in steps:
         if step.rule in _ASKED and not step.folded:
             step = replace(step, body=tuple(_factored(b) for b in step.body))
@@ -155,7 +155,7 @@ def _factored(block: Block) -> Block:
     """Answers with the factors of numerator and denominator in front, where these are sums of several terms."""
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_in_factors(e) for e in block.equations))
+    return block.map(_in_factors)
 
 
 def _in_factors(e: Equation) -> Equation:
@@ -168,7 +168,7 @@ def _in_factors(e: Equation) -> Equation:
 def _turned_block(block: Block, relations: Mapping[str, str]) -> Block:
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_turned(e, relations) for e in block.equations))
+    return block.map(lambda e: _turned(e, relations))
 
 
 def _turned(e: Equation, relations: Mapping[str, str]) -> Equation:
@@ -229,7 +229,7 @@ def _own_letter(solution: Solution, radicand: sp.Expr) -> sp.Symbol | None:
 
 
 def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
-    """The radicands of long roots that a letter stands for, with the letter."""
+    """The radicands of long roots, each with the letter that abbreviates it."""
     for block in step.body:
         for e in block.equations if isinstance(block, Display) else ():
             name, value = e.sides[0], e.sides[-1]
@@ -242,7 +242,7 @@ def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
 def _block_with_lengths(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_line(e, lengths, stated) for e in block.equations))
+    return block.map(lambda e: _line(e, lengths, stated))
 
 
 def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Equation:

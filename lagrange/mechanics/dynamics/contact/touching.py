@@ -79,8 +79,8 @@ def relative_partials(configuration: Configuration, on: str, opposite: str, plac
 
 
 def named_beside(constraint: Constraint, name: str, configuration: Configuration) -> list[str]:
-    """What a constraint names beside a body and what moves, though it does not press on its coordinates: a plank that
-    only slides, in dot(r_ball - r_plank, j) >= R.
+    """What else a constraint mentions besides a body and what moves, though the constraint exerts no force on it: a
+    plank that only slides, in dot(r_ball - r_plank, j) >= R.
     """
     span = constraint.span
     positions = set(re.findall(r"(?<!\w)r_(\w+)", span.source.text[span.start : span.end]))

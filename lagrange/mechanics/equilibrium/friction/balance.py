@@ -324,7 +324,7 @@ def _upright(
 
 
 def _held_outright(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates that a constraint of their own holds: ρ = R."""
+    """The coordinates that are fixed by a single constraint: ρ = R."""
     held: dict[sp.Symbol, sp.Expr] = {}
     for f in configuration.finite_constraints:
         own = f.free_symbols & {*configuration.slots.coordinates}
@@ -335,7 +335,7 @@ def _held_outright(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
 
 
 def equal_angles(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
-    """The acute angles that the constraints make equal: cos θ_2 = cos θ_1, where two legs stand on one floor.
+    """The acute angles made equal by the constraints: cos θ_2 = cos θ_1 for two legs on one floor.
 
     Combinations of the constraints in which no other coordinate is left show that.
     """

@@ -193,7 +193,7 @@ class InExponent:
 
 
 def solved_for_exponent(e: sp.Expr, symbol: sp.Expr) -> InExponent | None:
-    """The exponent where the symbol is in one exponential only, in which e is linear; None where it is not."""
+    """The exponent where the symbol is in one exponential only, in which e is linear; None if it is not."""
     powers = [f for f in e.atoms(sp.exp) if symbol in f.free_symbols]
     if len(powers) != 1:
         return None

@@ -320,7 +320,7 @@ def _at_rest(
 def _limits_of(
     solved: SolvedBalance, contacts: Sequence[RoughContact], problem: Problem, load: sp.Symbol, signs: Signs
 ) -> list[LoadLimits]:
-    """Between which limits one force must be, case by case; none where the signs of reactions are open."""
+    """Between which limits one force must be, case by case; none if the signs of reactions are open."""
     if not solved.open or solved.equations or any(c.sign is None or len(c.components) > 1 for c in contacts):
         return []
     values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
@@ -331,9 +331,9 @@ def _limits_of(
 def rest_within(
     problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
 ) -> tuple[AtRest | None, str]:
-    """`rest_with_friction` with an allowance of its own, and why nothing was found, empty otherwise.
+    """`rest_with_friction` with its own work allowance, and the reason for a failure, empty otherwise.
 
-    Raises NotCoveredError where nothing else is asked: impending motion, which needs less, is an answer without it.
+    Raises NotCoveredError if nothing else is asked: impending motion, which needs less, is an answer without it.
     """
     with allowed_for_a_search(UNITS_OF_REST) as allowance:
         try:
@@ -363,7 +363,7 @@ def _cases(
     most: int,
     unexamined: list[sp.Expr],
 ) -> tuple[tuple[RestCondition, ...], ...]:
-    """The conditions, case by case; `unexamined` receives what must not vanish as far as this is known."""
+    """The conditions, case by case; expressions that must not vanish, so far as known, are added to `unexamined`."""
     if any(signs.of(e) in (1, -1) for e in solved.equations):
         return ()
     if not solved.open:

@@ -160,7 +160,7 @@ def _can_slip(
 
 
 def _signs_at(e: sp.Expr, resting: Equilibrium, signs: Signs) -> set[int | None]:
-    """The signs of an expression at all equilibria; None where one is not known."""
+    """The signs of an expression at all equilibria; None if one is not known."""
     sign = signs.of(e)
     if sign is not None:
         return {sign}

@@ -56,7 +56,7 @@ class Signs:
     found: dict[sp.Expr, tuple[int | None, tuple[sp.Expr, ...]]] = field(default_factory=dict)
 
     def of(self, e: sp.Expr) -> int | None:
-        """+1, −1 or 0; None where it may be either."""
+        """+1, −1 or 0; None if it may be either."""
         if e == 0:
             return 0
         if e not in self.found:
@@ -238,14 +238,14 @@ class _Zero:
         )
 
     def conditions(self, case: Case) -> list[tuple[str, sp.Expr]]:
-        """What a case says there, without what always holds."""
+        """The conditions of a case, without those that always hold."""
         slacks = [("≥", e) for e in map(self.put, case.slacks) if self.signs.of(e) not in (0, 1)]
         positive = [(">", e) for e in map(self.put, case.positive) if self.signs.of(e) != 1]
         return [*slacks, *positive, *(("=", e) for e in map(self.put, case.zero) if e != 0)]
 
 
 def _where_it_vanishes(coefficient: sp.Expr, signs: Signs) -> Iterator[_Zero]:
-    """Where the factors of unknown sign of a coefficient are zero. Raises NotEliminatedError where that is not seen."""
+    """Where the factors of unknown sign of a coefficient are zero. Raises NotEliminatedError if that is not seen."""
     over, _ = sp.fraction(sp.factor(sp.together(coefficient)))
     for factor in sp.Mul.make_args(over):
         base, _ = factor.as_base_exp()

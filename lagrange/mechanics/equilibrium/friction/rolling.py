@@ -110,7 +110,7 @@ def configuration_vector(vector: Vector, configuration: Configuration) -> Vector
 
 
 def _keeping(friction: Friction, law: NewtonLaw) -> tuple[Reaction, tuple[Reaction, ...]]:
-    """The reaction that presses, and those that keep the point that touches from slipping."""
+    """The normal reaction, and the reactions that keep the point of contact from slipping."""
     original = law.configuration
     normal, _, place = rough_contact(friction, law.all_frictions, law.newton, original)
     keeping: Sequence[Reaction] = [

@@ -94,7 +94,7 @@ def with_best(f: NumericalFunctions, start: Sequence[float], first: int) -> list
 
 
 def confirmed(f: NumericalFunctions, guess: Sequence[float]) -> list[Number] | None:
-    """The zero near a guess to many digits; None where it does not converge fast."""
+    """The zero near a guess to many digits; None if it does not converge fast."""
     with mpmath.workdps(SEARCH_DIGITS):
         x = [mpmath.mpf(a) for a in guess]
         width = mpmath.mpf(10) ** (-SEARCH_DIGITS // 2)
@@ -136,7 +136,7 @@ def _inner(a: Sequence[Number], b: Sequence[Number]) -> Number:
 
 
 def _solved(matrix: list[list[Number]], right: Sequence[Number]) -> list[Number] | None:
-    """The solution of a square system; None where it is singular."""
+    """The solution of a square system; None if it is singular."""
     rows = [[*row, r] for row, r in zip(matrix, right, strict=True)]
     size = len(rows)
     for k in range(size):
@@ -196,7 +196,7 @@ class NoTapeError(Exception):
 
 @record
 class Arithmetic:
-    """How operations are carried out. They raise ValueError or ArithmeticError where there is no real value."""
+    """The implementation of operations. They raise ValueError or ArithmeticError if there is no real value."""
 
     rational: Callable[[int, int], Number]
     pi: Callable[[], Number]

@@ -21,7 +21,7 @@ from lagrange.values.quantities import Quantity, Values
 def reactions_found(
     position: Mapping[sp.Symbol, Quantity], e: Equilibrium, newton: Newton, values: Values
 ) -> dict[sp.Symbol, Quantity]:
-    """The named single forces at a position, in newtons where the file has units; empty where they are not determined.
+    """The named single forces at a position, in newtons where the file has units; empty if they are not determined.
 
     e  the equilibrium in the file's coordinates
     """

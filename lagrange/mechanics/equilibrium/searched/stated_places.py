@@ -60,7 +60,7 @@ class StatedPlaces:
 
     symbols  of which a position has the values: unknowns, and then all parameters, those of `beside` among them
 
-    Raises NoTapeError where an expression cannot be evaluated.
+    Raises NoTapeError if an expression cannot be evaluated.
     """
 
     def __init__(

@@ -61,7 +61,7 @@ def check_minima(resting: Equilibrium, second: SecondVariation | None) -> list[C
 
 
 def check_valleys(resting: Equilibrium, second: SecondVariation | None) -> list[Check]:
-    """The check of stability where the second variation vanishes; none where nothing rests on terms of higher order."""
+    """The check of stability where the second variation vanishes; none if nothing rests on terms of higher order."""
     if second is None:
         return []
     valleys = Valleys(Samples(resting))
@@ -86,7 +86,7 @@ class Valleys:
         self.finite = samples.resting.configuration.finite_constraints
 
     def agreeing(self, b: Branch, s: Stability) -> list[bool | None]:
-        """Whether V rises or falls as is stated, at each point that could be used; none where nothing is stated."""
+        """Whether V rises or falls as is stated, at each point that could be used; none if nothing is stated."""
         if b.special or b.left or len(self.finite) != len(self.samples.rows):
             return []
         if s.verdict is StabilityVerdict.UNDECIDED:
@@ -109,7 +109,7 @@ class Valleys:
         return verdicts or [None]
 
     def agreeing_at_limit(self, b: Branch, s: Stability) -> list[bool | None]:
-        """The same where a condition of stability is an equality; none where no parameter can be chosen for that."""
+        """The same where a condition of stability is an equality; none if no parameter can be chosen for that."""
         if b.special or b.left or len(b.points) != 1 or len(s.conditions) != 1 or s.at_limit is None:
             return []
         [condition] = s.conditions
@@ -129,7 +129,7 @@ class Valleys:
         return verdicts
 
     def _at_limit(self, values: Values, difference: sp.Expr, number: int) -> RealPoint | None:
-        """An equilibrium with drawn parameters but one, which makes a difference zero; None where none can."""
+        """An equilibrium with drawn parameters but one, which makes a difference zero; None if none can."""
         drawn = self.samples.point(values, number)
         for letter in sorted(difference.free_symbols - {*self.coordinates}, key=str):
             trial = self.samples.point(values, number)
@@ -141,7 +141,7 @@ class Valleys:
         return None
 
     def _rises(self, point: RealPoint, s: Stability) -> bool | None:
-        """Whether V has a strict minimum at a point, as far as directions are tried; None: undecided."""
+        """Whether V has a strict minimum at a point in all directions tried; None if undecided."""
         basis = self._valley(point)
         if basis is None:
             return False
@@ -167,7 +167,7 @@ class Valleys:
         return None if s.verdict is StabilityVerdict.UNSTABLE else True
 
     def _valley(self, point: RealPoint) -> list[Numbers] | None:
-        """The displacements in which the second variation vanishes; None where it takes negative values."""
+        """The displacements in which the second variation vanishes; None if it takes negative values."""
         table, basis = self.samples.projected(point)
         if definiteness_in_numbers(point, table) == -1:
             return None
@@ -196,7 +196,7 @@ class Valleys:
             yield _unit([x + point.reals.random.gauss(0, spread) for x in direction])
 
     def _rate(self, point: RealPoint, basis: Sequence[Numbers], direction: Numbers) -> tuple[Any, int | None]:
-        """dV/dε at the smaller of two steps, and the order of V; None where the two do not fit together."""
+        """dV/dε at the smaller of two steps, and the order of V; None if the two do not fit together."""
         rates = [self._rate_at(point, basis, direction, scale) for scale in (1, 10)]
         small, large = rates
         if small is None or large is None:
