@@ -42,7 +42,7 @@ from lagrange.document.derivation import (
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.limits import LONGEST_IN_LINE, LONGEST_STEP, MOST_LINES_TWICE
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import counted, in_words, plural
+from lagrange.explain.words import capital, counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import in_factors_where, without_constant_factors
@@ -119,8 +119,11 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
     defined: set[str] = {*UNITS}
     for step in steps:
         body: list[Block] = []
+        begins = False
         for block in step.body:
             before = body[-1] if body else None
+            if begins and isinstance(block, Prose):  # the words before it, `With the unit vectors`, are omitted
+                block, begins = _beginning(block), False
             if not isinstance(block, Display) or not has_purpose(before, Purpose.DEFINITIONS):
                 body.append(block)
                 continue
@@ -137,8 +140,15 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
                 body.append(replace(block, equations=tuple(kept)))
             else:
                 body.pop()
+                begins = True
         if body or not step.body:
             yield replace(step, body=tuple(body))
+
+
+def _beginning(block: Prose) -> Prose:
+    """The paragraph as the beginning of a sentence."""
+    first, *rest = block.parts or ("",)
+    return replace(block, parts=(capital(first), *rest)) if isinstance(first, str) and first[:1].islower() else block
 
 
 def _in_singular(part: Part) -> Part:

@@ -45,6 +45,7 @@ def test_equal_unit_vectors_have_one_name_and_what_is_not_used_is_not_stated() -
     assert said.count("𝐬 = cos θ 𝐢 + sin θ 𝐣") == 1
     assert "𝛚_left = φ̇₁ 𝐧 + θ̇ 𝐤" in said
     assert "_left = 𝐤" not in said
+    assert "The velocities of the mass centres, the angular velocities" in " ".join(said.split())
     used = printed("struck-sleigh")
     assert used.count("𝐧 = −sin θ 𝐢 + cos θ 𝐣") == 1
     assert "(ẋ 𝐢 + ẏ 𝐣)·𝐧 = 0" in used
