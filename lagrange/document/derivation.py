@@ -299,6 +299,7 @@ class Purpose(Enum):
 
     # of paragraphs
     DEFINITIONS = auto()  # For brevity, write
+    CONSTANT_RATES = auto()  # Accelerations, all of them constant:
     FRICTION_INSIDE = auto()  # The friction contains N, the reaction of rod, found below.
     FORMS_TOGETHER = auto()  # Taken together, the constraints may imply finite relations
     NOT_EXACT_EITHER = auto()  # (7) is not exact either: ∂a/∂x = 1 ≠ 0 = ∂b/∂y.

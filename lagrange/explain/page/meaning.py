@@ -285,7 +285,8 @@ def _accelerations(meaning: ResultMeaning) -> Iterator[Block]:
         return
     step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
     names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
-    yield prose(Emphasis("Accelerations"), ", all of them constant:" if whole else " that are constant:")
+    which = ", all of them constant:" if whole else " that are constant:"
+    yield prose(Emphasis("Accelerations"), which, purpose=Purpose.CONSTANT_RATES)
     yield from with_named_denominators(step, names).body
 
 
