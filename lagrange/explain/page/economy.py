@@ -280,6 +280,9 @@ _IN_PAIRS = ("position", "force", "moment", "spin", "momentum", "acceleration", 
              "possible-work")  # fmt: skip
 
 
+_ALSO_IN_PAIRS = (["spin", "momentum"], ["reaction", "couple"], ["delta", "rotation"])
+
+
 def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterator[Equation]:
     waiting: Equation | None = None
     for e in equations:
@@ -297,7 +300,7 @@ def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterato
 def _go_together(first: Equation, second: Equation) -> bool:
     kinds = [_kind(e) for e in (first, second)]
     plain = not first.condition and not second.condition and first.relation == second.relation == "="
-    alike = bool(kinds[0]) and (kinds[0] == kinds[1] or kinds == ["spin", "momentum"])
+    alike = bool(kinds[0]) and (kinds[0] == kinds[1] or kinds in _ALSO_IN_PAIRS)
     return plain and alike and are_short((first, second))
 
 
