@@ -411,7 +411,7 @@ def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
     waiting: Step | None = None
     for step in steps:
         if waiting is not None and step.rule is Rule.WORKLESS:
-            step, waiting = replace(step, body=(*waiting.body, *step.body)), None
+            step, waiting = replace(step, body=_joined(waiting.body, step.body)), None
         if waiting is not None:
             yield waiting
             waiting = None
@@ -421,6 +421,14 @@ def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
             yield step
     if waiting is not None:
         yield waiting
+
+
+def _joined(first: tuple[Block, ...], second: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Both, with the paragraphs at which they meet in one."""
+    last, begin = first[-1:], second[:1]
+    if last and begin and isinstance(last[0], Prose) and isinstance(begin[0], Prose):
+        return (*first[:-1], paragraph(last[0], begin[0]), *second[1:])
+    return (*first, *second)
 
 
 def _with_measures(solution: Solution, step: Step) -> Step:
