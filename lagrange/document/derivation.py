@@ -110,12 +110,16 @@ class Prose:
 
 @record
 class Equation:
-    """A displayed equation a = b = c, followed by its `condition` ("where y ≠ 0")."""
+    """A displayed equation a = b = c, followed by its `condition` ("where y ≠ 0").
+
+    second  the label of an equation that follows in the same line, under the same number
+    """
 
     sides: tuple[Mathematics, ...]
     label: str | None = None
     relation: str = "="
     condition: tuple[Part, ...] = ()
+    second: str | None = None
 
     @property
     def operations(self) -> int:
@@ -303,6 +307,7 @@ class Purpose(Enum):
 
     # of paragraphs
     DEFINITIONS = auto()  # For brevity, write
+    CONSTANT_RATES = auto()  # Accelerations, all of them constant:
     FRICTION_INSIDE = auto()  # The friction contains N, the reaction of rod, found below.
     FORMS_TOGETHER = auto()  # Taken together, the constraints may imply finite relations
     NOT_EXACT_EITHER = auto()  # (7) is not exact either: ∂a/∂x = 1 ≠ 0 = ∂b/∂y.
@@ -422,7 +427,11 @@ def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.S
 def paired(equations: Sequence[Equation]) -> tuple[Equation, ...]:
     """Equations two in a line, the second as what follows the first, which has the number."""
     pairs = [equations[n : n + 2] for n in range(0, len(equations), 2)]
-    return tuple(replace(pair[0], condition=(Math(pair[1].sides),)) if len(pair) == 2 else pair[0] for pair in pairs)
+    return tuple(_in_one_line(*pair) if len(pair) == 2 else pair[0] for pair in pairs)
+
+
+def _in_one_line(first: Equation, second: Equation) -> Equation:
+    return replace(first, condition=(Math(second.sides),), second=second.label)
 
 
 def listed(parts: Iterable[Part], last: str = " and ") -> tuple[Part, ...]:

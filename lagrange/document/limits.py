@@ -3,6 +3,8 @@
 LONGEST_LIST = 3
 """Arguments of an undefined function that are written at each occurrence: f(x, y, t) is read at a glance, F_x of seven
 arguments is not."""
+MOST_PRIMES = 3
+"""Primes that are counted at a glance, f‴; beyond, a derivative has a number."""
 LONG_LATEX = 120
 """Characters of LaTeX in a denominator or under a root that is too long to stay in one piece: about 19 em, half a line
 (6.2 characters an em, counted in the rows of twelve shipped problems)."""

@@ -11,7 +11,7 @@ a fraction in front, (g/l) sin θ, where brackets are needed, and where a long l
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -31,7 +31,7 @@ from lagrange.core.symbols import (
 )
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Mathematics
-from lagrange.document.limits import LONGEST_LIST
+from lagrange.document.limits import LONGEST_LIST, MOST_PRIMES
 from lagrange.document.names import BREAK, END, START, Notation, Piece, Precedence, SymbolKind, WrittenName, plain
 from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, split_term
 from lagrange.document.style_latex import Latex, RunningLatex, WideLatex
@@ -261,14 +261,19 @@ class Writer:
         pieces += self._unmistakable(factors) if is_term and len(pieces) + len(factors) > 1 else self._factors(factors)
         if is_term and len(pieces) > 1 and isinstance(factors[-1][0], Wedge) and BREAK in pieces[-2].code:
             return self._broken_before(pieces)
-        first_of_several = self.style.by_hand and not numbers and len(pieces) > 1
-        if first_of_several and pieces[1].level <= Precedence.DIVISION and _is_slope(factors[0]):
-            pieces[0] = Piece(
-                self.style.bracketed(pieces[0].code), Precedence.POWER
-            )  # ∂f/∂x (a + b) is f's slope at a + b
+        if self.style.by_hand and len(pieces) > 1:
+            pieces = self._not_applied(pieces, [False] * (len(pieces) - len(factors)) + [*map(_is_slope, factors)])
         if not pieces:
             return self.style.number(sp.S.One)
         return pieces[0] if len(pieces) == 1 else self._joined(pieces)
+
+    def _not_applied(self, pieces: list[Piece], are_slopes: Sequence[bool]) -> list[Piece]:
+        """The factors with brackets around slopes before brackets: ∂f/∂x (a + b) and f′ (a + b) are slopes at a + b."""
+        after = [*(piece.level <= Precedence.DIVISION for piece in pieces[1:]), False]
+        return [
+            Piece(self.style.bracketed(piece.code), Precedence.POWER) if is_slope and bracket else piece
+            for piece, is_slope, bracket in zip(pieces, are_slopes, after, strict=True)
+        ]
 
     def _factors(self, factors: list[BasePower]) -> list[Piece]:
         return [self._power(base, exponent) for base, exponent in factors]
@@ -383,7 +388,10 @@ class Writer:
             return head
         if not variables:
             return Piece(head.code + self.style.arguments(codes))
-        return self.style.partial(head, variables, codes if function.name in self._ambiguous else ())
+        at = codes if function.name in self._ambiguous else ()
+        if self.style.by_hand and len(function.orders) == 1 and len(variables) <= MOST_PRIMES:
+            return self.style.slope(head, len(variables), at)
+        return self.style.partial(head, variables, at)
 
     def _is_known(self, function: Unspecified) -> bool:
         """Whether its long list of arguments is the declared one and can be omitted: F_x for F_x(x, y, x', t)."""

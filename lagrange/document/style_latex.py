@@ -124,6 +124,10 @@ class Latex(Unicode):
         code = rf"\frac{{{plain(above)}}}{{{below}}}"
         return Piece(code + (self.arguments(at) if at else ""), Precedence.PRODUCT)
 
+    def slope(self, inner: Piece, order: int, at: Sequence[str] = ()) -> Piece:
+        """A derivative of a function of one variable."""
+        return Piece(inner.code + "'" * order + (self.arguments(at) if at else ""))
+
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""
         if inner.level == Precedence.ATOM and "(" not in inner.code:

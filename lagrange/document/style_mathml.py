@@ -175,6 +175,11 @@ class MathML(Unicode):
         code = f"<mfrac>{row(raised + body)}{row(''.join(below))}</mfrac>"
         return Piece(code + (self.arguments(at) if at else ""), Precedence.PRODUCT)
 
+    def slope(self, inner: Piece, order: int, at: Sequence[str] = ()) -> Piece:
+        """A derivative of a function of one variable."""
+        code = f"<msup>{inner.code}<mo>{'′″‴'[order - 1]}</mo></msup>"
+        return Piece(code + (self.arguments(at) if at else ""))
+
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""
         above, below = f"{_NORMAL}d</mi>", f"<mrow>{_NORMAL}d</mi><mi>t</mi></mrow>"

@@ -192,6 +192,10 @@ class Text:
             code = f"diff({code}, {self.name(variable).code})"
         return Piece(code)
 
+    def slope(self, inner: Piece, order: int, at: Sequence[str] = ()) -> Piece:
+        """A derivative of a function of one variable: f′, f″; `at` as in `partial`."""
+        return Piece(inner.code + "′″‴"[order - 1] + (self.arguments(at) if at else ""))
+
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""
         return Piece(f"diff({inner.code}, t)")

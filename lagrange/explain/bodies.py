@@ -22,7 +22,7 @@ from lagrange.document.derivation import (
     prose,
     series,
 )
-from lagrange.explain.words import friction_called, plural, spoken, suffix_of, the
+from lagrange.explain.words import friction_called, load_called, plural, qualified, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
@@ -164,7 +164,7 @@ def moments_on(configuration: Configuration, rough: Collection[str] = ()) -> lis
         if beside:
             verb = plural(len(beside), " acts at", " act at")
             lines = (Equation((VectorSymbol(f"r_{f.name}"), f.point), label=f"point-{f.name}") for f in beside)
-            names = (friction_called(f.name, rough) if f.name in rough else spoken(f.name) for f in beside)
+            names = (friction_called(f.name, rough) if f.name in rough else load_called(f.name) for f in beside)
             one = len(beside) == len([f for f in configuration.loads if f.on == r.name]) == 1
             blocks += [prose(*(("It",) if one else ("Of these, ", *listed(names))), verb), display(*lines)]
         words = "The moment of the applied forces" if beside else "The applied moment"
@@ -187,7 +187,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
         length = s.length_symbol
         free: tuple[Part, ...] = (" and natural length ", math(s.length)) if s.length != 0 else ()
         blocks += [
-            prose(f"The {link_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
+            prose(f"The {qualified('spring', s.name)}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
                   f". {'Its length' if s.length != 0 else EXTENSION} and the force with which it pulls its ends "
                   "together are"),
             display(Equation((length, s.distance), label=f"length-{s.name}"),
@@ -197,7 +197,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
         length = d.length_symbol
         either = "" if d.distance.is_Pow else ", up to its sign,"
         blocks += [
-            prose(f"The {link_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
+            prose(f"The {qualified('damper', d.name)}, of coefficient ", math(d.coefficient), ",", *_joins(d),
                   f". The distance between its ends{either} and the force with which it pulls its ends together are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
                     Equation((d.pull_at(prime(length)), d.pull), label=f"pull-{d.name}")),
@@ -262,11 +262,6 @@ def _while(m: VariableMass, configuration: Configuration) -> tuple[Part, ...]:
     alone = clauses[0][:-1] if len(clauses) == 1 and m.has_one_sense else ()
     parts = alone or series(clauses)
     return (" The equations hold as long as " if m.is_smooth else "The equations hold as long as ", *parts, ".")
-
-
-def link_called(name: str, kind: str) -> str:
-    """`spring left`; `upper spring` if the name already says so."""
-    return spoken(name) if spoken(name).endswith(kind) else f"{kind} {spoken(name)}"
 
 
 def _joins(link: StretchedSpring | DamperForce) -> tuple[Part, ...]:

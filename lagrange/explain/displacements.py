@@ -11,6 +11,7 @@ from lagrange.core.symbols import DotProduct, VectorSymbol, differential, t, var
 from lagrange.document.derivation import (
     Block,
     Detail,
+    Display,
     Equation,
     Part,
     Phrase,
@@ -49,7 +50,7 @@ def explain_displacements(
     """From dq to δq, the solved δq, and the rates `rates`, shape (n,), that only possible displacements have."""
     if not configuration.rows:
         words = "Every displacement at a fixed time is virtual."
-        body = [prose(words), *of_points(configuration, elimination), *_by_time(configuration)]
+        body = [prose(words), *of_points(configuration, elimination, at_once=True), *_by_time(configuration)]
         return Step(Rule.DISPLACEMENTS, "Virtual displacements", tuple(body))
     body = [*_subtracted(configuration)]
     if configuration.constrained.is_pfaffian and not any(r.drift != 0 for r in configuration.rows):
@@ -58,7 +59,7 @@ def explain_displacements(
         body.append(prose("Since there is no term in ", math(differential(t)), words))
     body += by_chetaev(configuration)
     body += solved_displacements(elimination, configuration)
-    body += of_points(configuration, elimination)
+    body += of_points(configuration, elimination, at_once=True)
     body += _tangent(normals, len(configuration.rows))
     body += _drift(configuration, rates) if any(rates) else _by_time(configuration)
     return Step(Rule.DISPLACEMENTS, "Possible and virtual displacements", tuple(body))
@@ -226,8 +227,14 @@ def pivot_conditions(elimination: Elimination) -> tuple[Part, ...]:
     return listed(math(p, sp.S.Zero, relation="≠") for p in elimination.pivots)
 
 
-def of_points(configuration: Configuration, elimination: Elimination, label: str = "") -> list[Block]:
-    """δr of each particle, without the δq that are zero; `label` sets apart a second display of them."""
+def of_points(
+    configuration: Configuration, elimination: Elimination, label: str = "", *, at_once: bool = False
+) -> list[Block]:
+    """δr of each particle and δπ of each body, without the δq that are zero.
+
+    label    sets apart a second display of them
+    at_once  whether both are in one display
+    """
     slots = configuration.slots
     zero = {d: value for d, value in elimination.solved(slots).items() if value == 0}
     suffix = suffix_of(configuration.name)
@@ -251,6 +258,12 @@ def of_points(configuration: Configuration, elimination: Elimination, label: str
     if elsewhere:
         words = f"The virtual displacements of the {whose} and of the points where forces act are"
         lines += elsewhere
+    elif at_once and turned:
+        rotations = [e for b in turned if isinstance(b, Display) for e in b.equations]
+        whats = plural(len(lines), "The virtual displacement", "The virtual displacements")
+        turns = plural(len(rotations), "the virtual rotation", "the virtual rotations")
+        words = f"{whats} of the {whose} and, formed like the angular velocity with δ for d/dt, {turns} are"
+        return [prose(words), display(*lines, *rotations)]
     return [prose(words), display(*lines), *turned]
 
 

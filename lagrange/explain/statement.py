@@ -47,11 +47,9 @@ from lagrange.explain.words import (
     introduced,
     load_called,
     plural,
-    spoken,
     the,
 )
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.motion import Method
 from lagrange.mechanics.dynamics.principle import written_forces
 from lagrange.mechanics.energy_symbols import lagrangian_letter
@@ -268,15 +266,15 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
 def _forces(problem: Problem, configuration: Configuration, with_potential: bool) -> list[Block]:
     blocks: list[Block] = []
     rough = {f.name: f.constraints for f in problem.forces if isinstance(f, Friction)}
+    said: set[str] = set()
     slots = problem.slots
     known = {*slots.coordinates, *slots.velocities, *(p.symbol for p in problem.parameters), *problem.unknowns, t}
     for p in configuration.points:
         loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
             continue
-        names = [
-            friction_called(f.name, rough) if f.name in rough else force_called(f.name, len(loads) == 1) for f in loads
-        ]
+        here = [f.name for f in loads if f.name in rough]
+        names = [friction_called(f.name, here) if f.name in rough else force_called(f.name) for f in loads]
         total = sum((f.vector for f in loads), Vector.zero(p.position.triad))
         shown = total.along(p.position.triad)
         sides = (VectorSymbol(f"F_{p.name}"), total, shown) if shown != total else (VectorSymbol(f"F_{p.name}"), total)
@@ -286,7 +284,8 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
             display(Equation(sides, label=f"force-{p.name}")),
         ]
         unknown = dict.fromkeys(c for f in loads for c in rough.get(f.name, ()))
-        if unknown:
+        if unknown and not unknown.keys() <= said:
+            said |= unknown.keys()
             inside = {s for component in total.fixed().components for s in component.free_symbols}
             forces = sorted((s for s in inside - known if not s.name.startswith("lambda_")), key=str)
             named = [math(s) for s in forces] if len(forces) == len(unknown) else []
@@ -300,8 +299,8 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
                 Equation((VectorSymbol(f"F_{f.name}"), f.vector)),
                 Equation((VectorSymbol(f"r_{f.name}"), f.point)),
             )
-            force = "weight" if f.name == "weight" else f"force {spoken(f.name)}"
-            blocks += [prose(f"The {force} on {the(f.on)} and its point of application are"), display(*lines)]
+            words = f"{capital(load_called(f.name))} on {the(f.on)} and its point of application are"
+            blocks += [prose(words), display(*lines)]
     blocks += moments_on(configuration, rough)
     blocks += explain_links(configuration)
     blocks += _beside_energies(problem, configuration)
@@ -343,13 +342,9 @@ def given_force(coordinate: sp.Symbol) -> sp.Symbol:
     return sp.Symbol(f"Q_{coordinate.name}", real=True)
 
 
-def force_called(name: str, alone: bool) -> str:
-    """`its weight`, `the force push`; only `push` where it is the only force."""
-    if _WEIGHT.fullmatch(name):
-        return "its weight"
-    if name == REACTIVE:
-        return load_called(name)
-    return spoken(name) if alone else f"the force {spoken(name)}"
+def force_called(name: str) -> str:
+    """`its weight`, `the push`, `the wind force`."""
+    return "its weight" if _WEIGHT.fullmatch(name) else load_called(name)
 
 
 # Remarks

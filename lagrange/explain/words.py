@@ -69,15 +69,26 @@ def _with_article(words: str) -> str:
     return words if possessive or proper or (is_label and len(more) == 1) else f"the {words}"
 
 
+_AFTER_THE_NOUN = frozenset(["below", "above", "beside", "ahead", "behind", "away", "aside", "across", "along", "down"])
+_FORCES = frozenset(["drag", "drive", "lift", "load", "pull", "push", "resistance", "thrust"])
+"""Names that say themselves that they are forces."""
+
+
+def qualified(noun: str, name: str) -> str:
+    """A noun with the name of the file: `left spring`, but `force P`, `friction below`, and `load` for a force."""
+    words = spoken(name)
+    first, *_, last = words.split() if " " in words else (words, words)
+    if noun in (first, last) or (noun == "force" and last in _FORCES):
+        return words
+    is_word = words.replace(" ", "").isalpha() and words.islower() and len(words) > 1
+    return f"{words} {noun}" if is_word and last not in _AFTER_THE_NOUN else f"{noun} {words}"
+
+
 def load_called(name: str, kind: str = "force") -> str:
-    """An applied force with its article: `the weight`, `the reactive force`, `the force push`."""
-    return (
-        f"the {name}"
-        if name == "weight"
-        else "the reactive force"
-        if name == REACTIVE
-        else f"the {kind} {spoken(name)}"
-    )
+    """An applied force with its article: `the weight`, `the reactive force`, `the wind force`."""
+    if name == "weight":
+        return "the weight"
+    return "the reactive force" if name == REACTIVE else f"the {qualified(kind, name)}"
 
 
 def friction_called(name: str, among: Collection[str]) -> str:

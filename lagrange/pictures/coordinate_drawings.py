@@ -96,8 +96,10 @@ class CoordinateDrawings:
         left = [q for q in rest if not self.turn(q)]
         bodies = bool(self.system.configuration.rotations)
         declared = figure.lines or figure.points or figure.curves or figure.hidden or self.system.paths
-        if self.system.view.planar and not bodies and not declared and any(self.moves_something(q) for q in left):
-            raise NoValueError("a coordinate that cannot be marked")
+        if self.system.view.planar and not bodies and not declared:
+            left = [q for q in left if self.moves_something(q) and not self.from_where_it_begins(q)]
+            if left:
+                raise NoValueError("a coordinate that cannot be marked")
         if "links" not in self.system.hidden and not any(line.kind in _RODS for line in figure.lines):
             self.stiff()
 
@@ -109,6 +111,14 @@ class CoordinateDrawings:
         return any(
             math.dist(moved.at(p.position), self.places[p.name]) > 1e-9 for p in self.system.configuration.points
         )
+
+    def from_where_it_begins(self, q: sp.Symbol) -> bool:
+        """Mark a distance from a place that has no name, such as the top of a slope; return whether it is one."""
+        for p in self.system.marked_points:
+            for m in distance_marks(self.pose, [q], p.position, None):
+                self.distance(q, m.start, m.end, True)
+                return True
+        return False
 
     def on_the_floor(self, marks: list[DistanceMark]) -> list[DistanceMark]:
         """The same distances at height 0, with a plumb line to the point, which is at a fixed height."""

@@ -145,6 +145,11 @@ class Inferred:
             if len(used) != 2 or row.finite is None:
                 continue
             points = self.system.configuration.points
+            straight = [q for q, a in used.items() if a.is_number]
+            if len(straight) == 1:
+                with suppress(NoValueError):
+                    self._to_a_boom(straight[0], next(q for q in used if q != straight[0]), row.finite)
+                continue
             pairs = [[p for p in points if not p.position.fixed().partial(q).is_zero and p.mass != 0] for q in used]
             if any(len(pair) != 1 for pair in pairs):
                 continue
@@ -228,6 +233,53 @@ class Inferred:
             self.sketch.dot(centre, 0.6 * HINGE, open_=True)
         for held in (*hooks, beyond(level, side, -PULLEY)):
             self.sketch.wall(held, (-up[0], -up[1]), 0.45)
+
+    def _to_a_boom(self, straight: sp.Symbol, turning: sp.Symbol, finite: sp.Expr) -> None:
+        """A rope from a weight over a fixed pulley to a point that swings, at a distance that is a root."""
+        points = self.system.configuration.points
+        hung = [p for p in points if not p.position.fixed().partial(straight).is_zero]
+        swinging = [p for p in points if not p.position.fixed().partial(turning).is_zero]
+        roots = [e for e in finite.atoms(sp.Pow) if e.exp == sp.S.Half and e.has(turning) and not e.has(straight)]
+        if len(hung) != 1 or not self.system.view.planar:
+            return
+        pulleys = ((p, self._pulley(turning, p.position, root)) for p in swinging for root in roots)
+        found = next(((p, at) for p, at in pulleys if at is not None), None)
+        if found is None:
+            return
+        end, pulley = self.at(found[0].position), found[1]
+        [top], bottom = self._tops([hung[0].position], [straight]), self.at(hung[0].position)
+        if apart(top, bottom) < 0.5 or apart(pulley, end) < 0.5:
+            return
+        if apart(top, pulley) < SAME_ON_PAGE:
+            self._around_corner(pulley, [bottom, end], [toward(top, bottom), toward(pulley, end)])
+            return
+        middle = ((top[0] + pulley[0]) / 2, (top[1] + pulley[1]) / 2)
+        if (radius := apart(top, pulley) / 2) < 2 * PULLEY:
+            self.sketch.circle(middle, radius, 1)
+            self.sketch.dot(middle, 0.6 * HINGE, open_=True)
+            for a, b in ((top, bottom), (pulley, end)):
+                self.sketch.line([a, b], StrokeKind.STRING)
+                self.busy.append((a, b))
+            return
+        for corner, ends in ((top, (bottom, middle)), (pulley, (middle, end))):
+            self._around_corner(corner, ends, [toward(corner, e) for e in ends])
+
+    def _pulley(self, q: sp.Symbol, position: Vector, distance: sp.Expr) -> PagePoint | None:
+        """The fixed place from which a point that moves with q is at this distance: |r|² − d² is linear in r there."""
+        poses = [self.pose.moved(q, step) for step in (0.0, 0.4, -0.3, 0.7, -0.6)]
+        places = [self.system.page(pose.at(position)) for pose in poses]
+        lengths = [pose.number(distance) * self.system.page.scale for pose in poses]
+        (x, y), *others = places
+        rows = [
+            (2 * (u - x), 2 * (v - y), u * u + v * v - d * d - (x * x + y * y - lengths[0] ** 2))
+            for (u, v), d in zip(others, lengths[1:], strict=True)
+        ]
+        (a, b, c), (d, e, f) = rows[:2]
+        if abs(determinant := a * e - b * d) < SAME_ON_PAGE:
+            return None
+        at = (c * e - b * f) / determinant, (a * f - c * d) / determinant
+        fits = all(abs(apart(at, place) - length) < SAME_ON_PAGE for place, length in zip(places, lengths, strict=True))
+        return at if fits else None
 
     def _over_pulleys(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> None:
         if len(positions) != 2:

@@ -450,9 +450,12 @@ def crosswise(marks: Sequence[DistanceMark]) -> list[DistanceMark]:
 
 
 def distance_marks(
-    pose: Pose, coordinates: Sequence[sp.Symbol], position: Vector, known: Iterable[FloatVector]
+    pose: Pose, coordinates: Sequence[sp.Symbol], position: Vector, known: Iterable[FloatVector] | None
 ) -> list[DistanceMark]:
-    """The way to a point in steps, one for each of its distances; none if it does not begin at a known place."""
+    """The way to a point in steps, one for each of its distances; none if it does not begin at a `known` place.
+
+    known  None for a way that begins wherever these coordinates are zero
+    """
     distances = []
     for q in coordinates:
         try:
@@ -464,7 +467,7 @@ def distance_marks(
         return []
     start = pose.with_zero(distances).at(position)
     on_axis = sum(abs(c) > SAME_PLACE for c in start) <= 1
-    if not on_axis and all(math.hypot(*minus(start, k)) > 1e-6 for k in known):
+    if known is not None and not on_axis and all(math.hypot(*minus(start, k)) > 1e-6 for k in known):
         return []
     marks = []
     for n, q in enumerate(distances):

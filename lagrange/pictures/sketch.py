@@ -178,6 +178,11 @@ def touches(at: PagePoint, a: PagePoint, b: PagePoint) -> bool:
     return min(apart(at, a), apart(at, b)) < 0.02
 
 
+def lies_on(at: PagePoint, a: PagePoint, b: PagePoint) -> bool:
+    """Whether a point is on the piece between two others."""
+    return apart(at, a) + apart(at, b) - apart(a, b) < 0.02
+
+
 def in_line(centre: PagePoint, others: list[PagePoint]) -> bool:
     """Whether all points are on one line with the first."""
     far = max(others, key=lambda p: apart(centre, p))

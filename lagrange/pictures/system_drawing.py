@@ -40,6 +40,7 @@ from lagrange.pictures.sketch import (
     farthest,
     in_line,
     left_of,
+    lies_on,
     scaled,
     touches,
     toward,
@@ -239,6 +240,8 @@ class _Drawing:
             else:
                 turning = [r for r in self.system.configuration.rotations if r.name == p.name]
                 for r in turning:
+                    if self.system.paths and self.system.is_hoop(p.name):
+                        continue  # the circle of what is on it
                     if self.system.is_bare and not self.system.view.planar:
                         self.ellipsoid(p, r)
                     self.triad(p, r)
@@ -292,12 +295,28 @@ class _Drawing:
 
     def joints(self, p: MassPoint) -> None:
         """The hinges of a plane body; fixed ones are attached to the ground."""
+        shape = self.system.problem.figure.shapes.get(p.name)
+        ends = [self.system.at(end) for end in shape.ends] if shape is not None and shape.ends else []
         for joint in self.system.joints.get(p.name, ()):
             at = self.flat(joint)
+            if len(ends) == 2 and not lies_on(at, *map(self.flat, ends)):
+                self.bowl(joint, ends)
+                continue
             self.sketch.hinge(at)
             fixed = any(math.dist(joint, pivot) < SAME_ON_PAGE for pivot in self.system.pivots)
             if fixed and all(apart(at, m) > SAME_ON_PAGE for m in self.mounts):
                 self.mounts.append(at)
+
+    def bowl(self, centre: FloatVector, ends: Sequence[FloatVector]) -> None:
+        """The inside of a bowl or hoop on which both ends of a rod slide."""
+        first, second = (math.dist(centre, end) for end in ends)
+        if abs(first - second) > SAME_ON_PAGE or not self.system.is_inside:
+            return
+        at, down = self.flat(centre), self.downward
+        side, radius, half = left_of(down), first * self.page.scale, math.pi / 2 if self.system.is_bowl else math.pi
+        ways = (half * n / 48 for n in range(-48, 49))
+        arc = [beyond(beyond(at, down, radius * math.cos(a)), side, radius * math.sin(a)) for a in ways]
+        self.sketch.line(arc, StrokeKind.CURVE)
 
     def rail(self, p: MassPoint, width: float, height: float) -> None:
         """The ground under a box whose coordinates leave it on one level."""

@@ -30,7 +30,7 @@ from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equation
 from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, value
-from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
+from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, SAME_PLACE, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, coordinates_in_body, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
@@ -41,6 +41,7 @@ ROD = re.compile(
 )
 """Words for what keeps a distance."""
 _ROPE = re.compile("string|rope|cord|cable|thread", re.IGNORECASE)
+_BOWL = re.compile(r"\bbowl|hemispher|\btrough|\bgroove|\bcup\b", re.IGNORECASE)
 _HOOP = re.compile(r"hoop|\bring\b|circular|bowl|track|loop|dome|sphere|wire\b|bead|tube", re.IGNORECASE)
 
 
@@ -214,6 +215,20 @@ class SystemPicture:
         """Whether the text speaks of a hoop or the like, and of no rod."""
         return bool(_HOOP.search(self.text)) and not ROD.search(self.text)
 
+    @property
+    def is_bowl(self) -> bool:
+        """Whether the text speaks of what is open above."""
+        return bool(_BOWL.search(self.text))
+
+    @property
+    def is_inside(self) -> bool:
+        """Whether the text speaks of something round that has an inside."""
+        return bool(_HOOP.search(self.text) or _BOWL.search(self.text))
+
+    def is_hoop(self, name: str) -> bool:
+        """Whether a body is called a hoop or the like."""
+        return bool(_HOOP.search(name))
+
     @cached_property
     def paths(self) -> dict[str, list[FloatVector]]:
         """The curves on which particles with one coordinate and no constraint move, by particle; circles of hoops only.
@@ -224,6 +239,8 @@ class SystemPicture:
         for p in self.configuration.points if self.is_bare and not self.configuration.rows else ():
             components = p.position.fixed().components
             moving = [q for q in self.pose.coordinates if any(c.has(q) for c in components)]
+            if len(moving) > 1 and self.is_round:  # a hoop that turns itself
+                moving = [q for q in moving if self._is_on_circle(q, p.position)]
             if len(moving) != 1 or p.mass == 0 or any(c.has(t) for c in components):
                 continue
             [q] = moving
@@ -241,6 +258,17 @@ class SystemPicture:
                 if abs(inner(first, second)) < math.hypot(*first) * math.hypot(*second) * (1 - 1e-9):  # no line
                     paths[p.name] = places
         return paths
+
+    def _is_on_circle(self, q: sp.Symbol, position: Vector) -> bool:
+        """Whether a coordinate alone moves a point on one circle, the same in every position of the others."""
+        marks = []
+        for pose in (self.pose, *self.pose.others):
+            with suppress(NoValueError):
+                marks.append(angle_mark(pose, q, position))
+        circles = [(m.centre, math.dist(m.centre, m.point)) for m in marks if m is not None]
+        return len(circles) == len(marks) > 1 and all(
+            math.dist(c, circles[0][0]) < SAME_PLACE and abs(r - circles[0][1]) < SAME_PLACE for c, r in circles
+        )
 
     @cached_property
     def kept_distances(self) -> tuple[tuple[str, str, bool], ...]:

@@ -212,16 +212,17 @@ def shown(
             title = ""
     labelled = [e for e in _equations(steps) if e.label is not None]
     numbers = {e.label: n for n, e in enumerate(labelled, first) if e.label is not None}
+    numbers |= {e.second: numbers[e.label] for e in labelled if e.label is not None and e.second is not None}
     steps = [replace(s, body=tuple(_condensed(b, numbers) for b in s.body)) for s in steps]
     left_folded = {} if folded else {s.folded: s.choice for s in derivation.at(detail) if s.folded}
     return ShownSteps(tuple(steps), numbers, (derivation.steps, derivation.at(detail)), left_folded)
 
 
 def _condensed(block: Block, numbers: Mapping[str, int]) -> Block:
-    """A paragraph in which (3), (4), (5) and (6) are (3) to (6)."""
+    """A paragraph in which (3), (4), (5) and (6) are (3) to (6), and (7) and (7), of two in a line, is (7)."""
     if not isinstance(block, Prose):
         return block
-    parts = list(block.parts)
+    parts = _each_once(block.parts, numbers)
     n = 0
     while n < len(parts):
         end = n  # the last reference of a run of consecutive numbers that begins at n
@@ -234,6 +235,21 @@ def _condensed(block: Block, numbers: Mapping[str, int]) -> Block:
                 parts[n - 1] = " and "
         n += 1
     return replace(block, parts=tuple(parts))
+
+
+def _each_once(parts: Sequence[Part], numbers: Mapping[str, int]) -> list[Part]:
+    """The parts without a reference to the number that the one before it in the same list has."""
+    kept: list[Part] = []
+    for part in parts:
+        if isinstance(part, Ref) and len(kept) > 1 and kept[-1] in (", ", " and ") and isinstance(kept[-2], Ref):
+            number = numbers.get(part.label)
+            if number is not None and numbers.get(kept[-2].label) == number:
+                between = kept.pop()
+                if between == " and " and len(kept) > 2 and kept[-2] == ", " and isinstance(kept[-3], Ref):
+                    kept[-2] = between
+                continue
+        kept.append(part)
+    return kept
 
 
 def _next(a: Part, b: Part, numbers: Mapping[str, int]) -> bool:

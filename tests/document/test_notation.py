@@ -86,6 +86,15 @@ def test_a_long_list_of_arguments_that_the_declaration_has_is_not_repeated():
     assert unicode(short, N) == "F_x(x, y, ẋ)"
 
 
+def test_derivatives_of_a_function_of_one_variable_have_primes():
+    shape = Unspecified.of("h", ("u",), x)
+    slope = shape.partial(0)
+    assert unicode(slope**2 * D(x, 2) + slope.partial(0) * g, N) == "h′² ẍ + g h″"
+    assert latex(slope**2, N) == "h'^{2}"
+    assert text(slope, N) == "diff(h, u)"
+    assert unicode(slope, Notation(ambiguous=frozenset({"h"}))) == "h′(x)"
+
+
 def test_everything_may_be_left_out_of_the_notation():
     bare = Notation()
     kinds = {

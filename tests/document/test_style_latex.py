@@ -31,9 +31,12 @@ def D(symbol, order=1):
 
 def test_a_slope_before_brackets_is_not_taken_there():
     """`\\frac{\\partial f}{\\partial X} (x + y)` would be read as the slope at x + y."""
-    rise = Unspecified.of("h", ("x",), x).partial(0)
+    rise = Unspecified.of("h", ("x", "y"), x, y).partial(0)
     printed = latex(-rise * (g + rise.partial(0) * D(x) ** 2) / (1 + rise**2))
     assert printed.startswith(r"-\frac{\left( \frac{\partial h}{\partial x} \right) \left( \frac{"), printed
+    slope = Unspecified.of("h", ("x",), x).partial(0)
+    assert latex(m * slope * (g + y)) == r"m (h') (y + g)"
+    assert latex(m * slope * D(x)) == r"m h' \dot{x}"
 
 
 def test_latex_does_not_stack_fractions_of_slopes():

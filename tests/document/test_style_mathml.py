@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 import pytest
 import sympy as sp
 
+from lagrange.core.symbols import Unspecified
 from lagrange.document.math_writer import Writer
 from lagrange.document.style_mathml import MathML, WideMathML, is_tall, row
 
@@ -30,6 +31,11 @@ def test_the_elements_of_an_expression(style: type[MathML], expression: sp.Expr,
     if style is MathML:
         assert elements <= {e.tag for e in tree.iter()}
     assert "".join(tree.itertext()).strip()
+
+
+def test_a_derivative_of_a_function_of_one_variable_has_primes() -> None:
+    slope = Unspecified.of("f", ("u",), theta).partial(0)
+    assert "".join(ElementTree.fromstring(f"<math>{Writer(MathML()).plain(slope)}</math>").itertext()) == "f′"
 
 
 def test_a_fraction_is_tall_and_a_row_is_one_element() -> None:

@@ -23,7 +23,7 @@ forces: {tie: {spring: k, between: [B, 0*i], length: 0}}
 def test_a_spring_fastened_at_a_hinge_is_fastened_at_the_origin() -> None:
     found = report(read_problem(Source("beam.yaml", PINNED_BEAM)))
     page = " ".join(terminal.text(found.derivation, found.notation, 80, Detail.STEPS).split())
-    assert "The spring tie, of stiffness k, joins B and O." in page
+    assert "The tie spring, of stiffness k, joins B and O." in page
     assert "k d_tie = k |s|" in page
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagrange.document.derivation import Rule
+from lagrange.document.derivation import Display, Rule
 from tests.support.derivation_text import words
 from tests.support.shared import reported
 
@@ -18,3 +18,10 @@ def test_the_velocity_relative_to_a_surface_that_is_carried_along() -> None:
         steps = reported(name).derivation.steps
         [step] = [s for s in steps if s.rule is Rule.DISPLACEMENTS]
         assert ("relative to the surface, is tangent to it" in words(step)) is carried
+
+
+def test_displacements_and_rotations_are_in_one_display() -> None:
+    steps = reported("motion/heavy-top").derivation.steps
+    [body] = [s.body for s in steps if s.rule is Rule.DISPLACEMENTS]
+    [block] = [b for b in body if isinstance(b, Display)]
+    assert [e.label for e in block.equations] == ["delta-top", "rotation-top"]

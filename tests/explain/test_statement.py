@@ -73,8 +73,15 @@ find: [equilibrium]
 
 
 def test_weights_that_the_file_numbers_are_weights() -> None:
-    assert [force_called(n, False) for n in ("weight_1", "weight2", "weights")] == [
-        "its weight", "its weight", "the force weights"]  # fmt: skip
+    assert [force_called(n) for n in ("weight_1", "weight2", "weights")] == [
+        "its weight", "its weight", "the weights force"]  # fmt: skip
+
+
+def test_the_friction_of_a_body_needs_no_name_and_its_normal_force_is_explained_once() -> None:
+    told = reported("rough-wedge", complete=False)
+    found = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "are its weight and the friction:" in found
+    assert found.count("The friction contains N") == 1
 
 
 # Remarks

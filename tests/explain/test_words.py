@@ -8,7 +8,17 @@ import pytest
 import sympy as sp
 
 from lagrange.document.derivation import Math
-from lagrange.explain.words import at_start, bare, constraints_called, in_decimals, in_words, introduced, spoken, the
+from lagrange.explain.words import (
+    at_start,
+    bare,
+    constraints_called,
+    in_decimals,
+    in_words,
+    introduced,
+    qualified,
+    spoken,
+    the,
+)
 from lagrange.mechanics.questions.forms import given_state
 from lagrange.problem.load_context import SpokenName
 from lagrange.problem.model import Problem
@@ -22,6 +32,23 @@ def test_numbers_and_names_in_words() -> None:
     assert spoken("no_slip.2") == "no slip 2"
     both = constraints_called(["no_slip.1", "no_slip.2", "upper_rod"])
     assert both == "the first and second no-slip and upper-rod constraints"
+
+
+@pytest.mark.parametrize(
+    ("noun", "name", "called"),
+    [
+        ("spring", "left", "left spring"),
+        ("spring", "upper_spring", "upper spring"),
+        ("force", "wind", "wind force"),
+        ("force", "load", "load"),
+        ("force", "P", "force P"),
+        ("force", "push2", "force push2"),
+        ("moment", "twist", "twist moment"),
+        ("friction", "below", "friction below"),
+    ],
+)
+def test_a_word_of_the_file_stands_before_its_noun(noun: str, name: str, called: str) -> None:
+    assert qualified(noun, name) == called
 
 
 @pytest.mark.parametrize(

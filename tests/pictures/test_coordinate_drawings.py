@@ -80,3 +80,20 @@ def test_the_angle_of_a_rod_ends_on_the_rod(text: str) -> None:
     places = {p.name: system.page(system.pose.at(p.position)) for p in system.configuration.points}
     (a, b), end = (places["A"], places["B"]), arc[-1]
     assert abs((b[0] - a[0]) * (end[1] - a[1]) - (b[1] - a[1]) * (end[0] - a[0])) < 1e-6
+
+
+def test_a_distance_from_the_top_of_a_slope_begins_there() -> None:
+    wedge = """title: Block on a wedge
+axes: {i: right, j: up}
+gravity: -g*j
+parameters: [m, M, alpha, h, g]
+coordinates: [X, s]
+particles:
+  wedge: {mass: M, position: X*i}
+  block: {mass: m, position: (X + s*cos(alpha))*i + (h - s*sin(alpha))*j}
+"""
+    system = system_in_file(kinematics_and_law(lagrange.loads(wedge)))
+    assert system is not None
+    scene = configuration_scene(system, Notation(), with_loads=False)
+    assert scene is not None
+    assert {sp.Symbol("X", real=True), sp.Symbol("s", real=True)} <= {label.content for label in scene.labels}

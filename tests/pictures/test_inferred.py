@@ -92,3 +92,51 @@ def test_a_weightless_beam_is_a_rod_from_its_hinge() -> None:
     beam = "parameters: [l, P, g]\ncoordinates: [q]\nparticles: {B: {position: l*cos(q)*i + l*sin(q)*j}}\n"
     scene = drawn("A hinged beam", beam + "forces: {load: {on: B, vector: P*j}}\nfind: equilibrium\n")
     assert lines(scene, StrokeKind.ROD) == 1
+
+
+BOOM = (
+    "parameters: [m, M, a, h, L, g]\ncoordinates: [q, y]\nparticles:\n  A: {mass: m, position: a*sin(q)*i - a*cos(q)*j}\n"
+    "  B: {mass: M, position: OFFSET*i + (y - h)*j}\nconstraints:\n"
+    '  rope: {equation: "y + sqrt(a^2 + h^2 - 2*a*h*cos(q)) = L", by: string}\n'
+)
+
+
+@pytest.mark.parametrize(("offset", "circles"), [("0", 1), ("(0.2)", 1), ("(-1.5)", 2)])
+def test_a_rope_to_a_boom_runs_over_the_place_from_which_its_length_counts(offset: str, circles: int) -> None:
+    scene = drawn("Rod on a rope", BOOM.replace("OFFSET", offset))
+    strings = [line for line in scene.lines if line.kind is StrokeKind.STRING]
+    assert len(strings) == 2 * circles
+
+
+def test_a_root_that_is_no_distance_is_no_rope() -> None:
+    scene = drawn("Rod on a rope", BOOM.replace("OFFSET", "0").replace("2*a*h*cos(q)", "a*h*cos(q)"))
+    assert not lines(scene, StrokeKind.STRING)
+
+
+BOWL = (
+    "parameters: [m, l, R, g]\ncoordinates: [q]\nlet: {h: sqrt(R^2 - l^2)}\nbodies:\n  rod: {mass: m, inertia: m*l^2/3, "
+    'position: "h*(sin(q)*i + cos(q)*j)", angle: -q, shape: {rod: [r_rod - l*e1_rod, r_rod + l*e1_rod]}}\n'
+)
+
+
+def test_a_rod_that_slides_in_a_bowl_hangs_on_nothing() -> None:
+    scene = drawn("Rod in a bowl", BOWL)
+    assert lines(scene, StrokeKind.CURVE) == 1
+    assert not any(d.open for d in scene.dots)
+    assert not lines(drawn("Rod", BOWL), StrokeKind.CURVE)
+
+
+TURNING = (
+    "axes: {k: up}\ngravity: -g*k\nparameters: [m, J, R, g]\ncoordinates: [q, p]\nlet: {out: cos(p)*i + sin(p)*j}\n"
+    "particles: {bead: {mass: m, position: R*sin(q)*out - R*cos(q)*k}}\n"
+    "bodies: {hoop: {mass: 0, inertia: [J, J, J], position: 0*k, orientation: {axes: 313, angles: [p, 0, 0]}}}\n"
+)
+
+
+def test_a_hoop_that_turns_is_the_circle_of_its_bead() -> None:
+    system = system_in_file(kinematics_and_law(lagrange.loads(f"title: Bead on a hoop\n{TURNING}")))
+    assert system is not None
+    scene = configuration_scene(system, Notation(), with_loads=False)
+    assert scene is not None
+    assert lines(scene, StrokeKind.CURVE) == 1
+    assert not lines(scene, StrokeKind.BODY)

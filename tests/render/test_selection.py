@@ -29,6 +29,7 @@ from lagrange.document.derivation import (
     Step,
     Table,
     display,
+    paired,
     prose,
 )
 from lagrange.document.names import Notation
@@ -118,6 +119,17 @@ def test_references_one_after_the_other_are_a_range() -> None:
     assert found.steps[0].body[1] == prose(refs[0], " to ", refs[3], " and ", refs[5], " differ from ", refs[4])
     three = prose(refs[0], ", ", refs[1], " and ", refs[2])
     assert shown(derivation(display(*sums(6, 2)), three), Detail.STEPS).steps[0].body[1] == three
+
+
+def test_two_equations_in_a_line_have_one_number_that_a_list_gives_once() -> None:
+    lines = paired([*sums(3, 2)])
+    refs = [Ref(f"e{n}") for n in range(3)]
+    words = prose("Solving ", refs[0], ", ", refs[1], " and ", refs[2], "; by ", refs[1])
+    found = shown(derivation(display(*lines), words), Detail.STEPS)
+    assert found.steps[0].body[1] == prose("Solving ", refs[0], " and ", refs[2], "; by ", refs[1])
+    assert [found.numbers[r.label] for r in refs] == [1, 1, 2]
+    both = prose("Solving ", refs[0], " and ", refs[1])
+    assert shown(derivation(display(*lines), both), Detail.STEPS).steps[0].body[1] == prose("Solving ", refs[0])
 
 
 def test_a_chain_too_long_to_read_is_complete_in_json() -> None:

@@ -15,7 +15,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Block, Equation, Part, Rule, Step, display, listed, math, paragraph, prose
 from lagrange.explain.displacements import points_called
 from lagrange.explain.newton import explain_friction, natures
-from lagrange.explain.words import are, capital, joined, load_called, plural, spoken, suffix_of, the, title_in
+from lagrange.explain.words import are, capital, joined, load_called, plural, qualified, suffix_of, the, title_in
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.energies import Energies, is_weight
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
@@ -274,11 +274,9 @@ def _acting(setup: LagrangeExposition) -> list[str]:
         if not is_weight(load, configuration):
             kind = "friction" if load.name in rubbing else "force"
             names.append(load_called(load.name, kind))
-    names += [f"the moment {spoken(m.name)}" for m in configuration.torques]
-    names += [f"the force {spoken(f.name)}" for f in setup.problem.forces if isinstance(f, GeneralizedForce)]
-    names += [
-        "the damper" if spoken(d.name) == "damper" else f"the damper {spoken(d.name)}" for d in configuration.dampers
-    ]
+    names += [f"the {qualified('moment', m.name)}" for m in configuration.torques]
+    names += [f"the {qualified('force', f.name)}" for f in setup.problem.forces if isinstance(f, GeneralizedForce)]
+    names += [f"the {qualified('damper', d.name)}" for d in configuration.dampers]
     return list(dict.fromkeys(names))
 
 

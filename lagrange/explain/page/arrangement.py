@@ -11,14 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.derivation import (
-    Display,
-    Part,
-    Rule,
-    Step,
-    listed,
-    math,
-)
+from lagrange.document.derivation import Block, Display, Part, Prose, Rule, Step, listed, math, paragraph
 from lagrange.explain.consequences import explain_at_rest
 from lagrange.explain.page import linked_particles
 from lagrange.explain.page.constraints import (
@@ -220,6 +213,14 @@ def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
 
     def join(first: Step, second: Step) -> Step | None:
         reactions = (first.rule, second.rule) == (Rule.REACTIONS, Rule.WORKLESS)
-        return replace(second, body=(*first.body, *second.body)) if reactions else None
+        return replace(second, body=_meeting(first.body, second.body)) if reactions else None
 
     return joined(steps, join)
+
+
+def _meeting(first: tuple[Block, ...], second: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Both, with the paragraphs at which they meet in one."""
+    last, begin = first[-1:], second[:1]
+    if last and begin and isinstance(last[0], Prose) and isinstance(begin[0], Prose):
+        return (*first[:-1], paragraph(last[0], begin[0]), *second[1:])
+    return (*first, *second)

@@ -42,8 +42,9 @@ from lagrange.document.derivation import (
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.limits import LONGEST_IN_LINE, LONGEST_STEP, MOST_LINES_TWICE
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import counted, in_words, plural
+from lagrange.explain.words import capital, counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.questions.results import Asked, Route
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import in_factors_where, without_constant_factors
 from lagrange.mechanics.rewriting.readable_forms import multiplied_out
@@ -119,8 +120,11 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
     defined: set[str] = {*UNITS}
     for step in steps:
         body: list[Block] = []
+        begins = False
         for block in step.body:
             before = body[-1] if body else None
+            if begins and isinstance(block, Prose):  # the words before it, `With the unit vectors`, are omitted
+                block, begins = _beginning(block), False
             if not isinstance(block, Display) or not has_purpose(before, Purpose.DEFINITIONS):
                 body.append(block)
                 continue
@@ -137,8 +141,15 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
                 body.append(replace(block, equations=tuple(kept)))
             else:
                 body.pop()
+                begins = True
         if body or not step.body:
             yield replace(step, body=tuple(body))
+
+
+def _beginning(block: Prose) -> Prose:
+    """The paragraph as the beginning of a sentence."""
+    first, *rest = block.parts or ("",)
+    return replace(block, parts=(capital(first), *rest)) if isinstance(first, str) and first[:1].islower() else block
 
 
 def _in_singular(part: Part) -> Part:
@@ -209,6 +220,8 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             before = blocks[-1] if blocks else None
             if has_purpose(before, Purpose.IN_SHORT) and isinstance(block, Display) and _is_repeated(block, shown):
                 blocks[-1] = prose(Emphasis("In short"), ": combined, these are the equations at the head of the page.")
+            elif has_purpose(before, Purpose.CONSTANT_RATES) and isinstance(block, Display) and _is_shown(block, shown):
+                blocks[-1] = replace(before, parts=(*before.parts, " those at the head of the page."))
             else:
                 blocks.append(block)
         if blocks or not step.body:
@@ -243,7 +256,11 @@ def _is_kinematic(block: Display) -> bool:
 
 def _is_repeated(block: Display, shown: Sequence[object]) -> bool:
     """Whether a box of several lines has only equations that were shown."""
-    return len(block.equations) > MOST_LINES_TWICE and all(e.sides in shown for e in block.equations)
+    return len(block.equations) > MOST_LINES_TWICE and _is_shown(block, shown)
+
+
+def _is_shown(block: Display, shown: Sequence[object]) -> bool:
+    return all(e.sides in shown for e in block.equations)
 
 
 def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
@@ -263,6 +280,9 @@ _IN_PAIRS = ("position", "force", "moment", "spin", "momentum", "acceleration", 
              "possible-work")  # fmt: skip
 
 
+_ALSO_IN_PAIRS = (["spin", "momentum"], ["reaction", "couple"], ["delta", "rotation"])
+
+
 def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterator[Equation]:
     waiting: Equation | None = None
     for e in equations:
@@ -280,7 +300,7 @@ def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterato
 def _go_together(first: Equation, second: Equation) -> bool:
     kinds = [_kind(e) for e in (first, second)]
     plain = not first.condition and not second.condition and first.relation == second.relation == "="
-    alike = bool(kinds[0]) and (kinds[0] == kinds[1] or kinds == ["spin", "momentum"])
+    alike = bool(kinds[0]) and (kinds[0] == kinds[1] or kinds in _ALSO_IN_PAIRS)
     return plain and alike and are_short((first, second))
 
 
@@ -502,7 +522,8 @@ def _without_momentum(part: Part) -> Part:
 def questions_shortly(solution: Solution, step: Step) -> Step:
     """The answer to a question with simple conditions substituted into long expressions; what stays long is omitted.
 
-    With β = α and β' = α' the accelerations of a double pendulum are two short fractions.
+    With β = α and β' = α' the accelerations of a double pendulum are two short fractions. A velocity that is asked
+    to be zero is zero in every expression.
     """
     asked = next((a for a in solution.asked if step.about and step.about == a.question.name), None)
     if asked is None:
@@ -510,9 +531,15 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
     simple = {
         c.lhs: c.rhs for c in asked.question.when if isinstance(c.lhs, sp.Symbol) and isinstance(c.rhs, sp.Symbol)
     }
+    resting = _resting(asked)
+    simple |= resting
     body: list[Block] = []
     for block in step.body:
-        if not isinstance(block, Display) or block.boxed or _longest(block) <= LONGEST_STEP:
+        if (
+            not isinstance(block, Display)
+            or block.boxed
+            or (_longest(block) <= LONGEST_STEP and not _occur(resting, block))
+        ):
             body.append(block)
             continue
         lines = tuple(_where(e, simple) for e in block.equations)
@@ -525,6 +552,19 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
             before = prose("With ", *given, ", the equations of motion give")
         body += [before, short] if before is not None else [short]
     return replace(step, body=tuple(body))
+
+
+def _resting(asked: Asked) -> dict[sp.Expr, sp.Expr]:
+    """The velocities that a question about a state asks to be zero."""
+    if asked.route is not Route.STATE:
+        return {}
+    zero = [c.lhs for c in asked.question.when if isinstance(c.lhs, sp.Symbol) and c.rhs == 0]
+    return {v: sp.S.Zero for v in zero if v.name.endswith("'") and not v.name.endswith("''")}
+
+
+def _occur(symbols: Mapping[sp.Expr, sp.Expr], block: Display) -> bool:
+    sides = (s for e in block.equations for s in e.sides if isinstance(s, sp.Expr))
+    return any(not s.free_symbols.isdisjoint(symbols) for s in sides)
 
 
 def _longest(block: Display) -> int:

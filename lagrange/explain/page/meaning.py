@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -168,15 +168,30 @@ def _conserved(
     proven = labels is None or not conserved.integrals or equations <= {*labels}
     if not proven:  # the equations of motion are folded, or written otherwise
         step = explain_conserved(conserved, step.choice, (), proofs=False) or step
-    step = _without_constant_coordinates(step, conserved)
-    step = replace(step, body=tuple(_in_remaining(b, conserved) for b in step.body))
-    short = all(count_operations(i.expression) <= LONGEST_CONSERVED_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
-    if not (short and plain and all(proofs)):
-        jacobi = any(i.quantity is ConservedQuantity.JACOBI for i in conserved.integrals)
+    short = [(i, p) for i, p in zip(conserved.integrals, proofs, strict=True) if _is_short(i)]
+    long = tuple(i for i in conserved.integrals if not _is_short(i))
+    if not (plain and all(proofs)):
+        short, long = [], conserved.integrals
+    yield from _in_sentences(short, conserved, proven)
+    if short and long:
+        step = explain_conserved(replace(conserved, integrals=long), step.choice, (), proofs=proven) or step
+    if not short or long:
+        step = _without_constant_coordinates(step, conserved)
+        step = replace(step, body=tuple(_in_remaining(b, conserved) for b in step.body))
+        jacobi = any(i.quantity is ConservedQuantity.JACOBI for i in long)
         yield from _without_accelerations(step.body, always=jacobi)
-        return
-    for integral, proof in zip(conserved.integrals, proofs, strict=True):
+
+
+def _is_short(integral: Integral) -> bool:
+    return count_operations(integral.expression) <= LONGEST_CONSERVED_LINE
+
+
+def _in_sentences(
+    integrals: Iterable[tuple[Integral, Sequence[Part]]], conserved: Conserved, proven: bool
+) -> Iterator[Block]:
+    """Each integral in a sentence, with its proof where the page has the equations."""
+    for integral, proof in integrals:
         if sum(m != 0 for m in integral.multipliers) > MOST_MULTIPLIERS:
             proof = ("a combination of the equations of motion",)
         called = quantity_of(integral, conserved.motion.configuration)
@@ -281,7 +296,8 @@ def _accelerations(meaning: ResultMeaning) -> Iterator[Block]:
         return
     step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
     names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
-    yield prose(Emphasis("Accelerations"), ", all of them constant:" if whole else " that are constant:")
+    which = ", all of them constant:" if whole else " that are constant:"
+    yield prose(Emphasis("Accelerations"), which, purpose=Purpose.CONSTANT_RATES)
     yield from with_named_denominators(step, names).body
 
 

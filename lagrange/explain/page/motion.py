@@ -91,7 +91,7 @@ def displacements_of_geometric(configuration: Configuration, elimination: Elimin
               f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,", purpose=Purpose.TIMELESS),
         display(*lines),
         *solved_displacements(elimination, configuration),
-        *of_points(configuration, elimination),
+        *of_points(configuration, elimination, at_once=True),
     )  # fmt: skip
     return Step(Rule.DISPLACEMENTS, "Virtual displacements", body)
 
@@ -259,7 +259,7 @@ def without_detour(solution: Solution, steps: Sequence[Step], is_detour: Callabl
     unused: list[Block] = []
     if own.configuration.rows:
         unused = [*solved_displacements(own.elimination, own.configuration),
-                  *of_points(own.configuration, own.elimination)]  # fmt: skip
+                  *of_points(own.configuration, own.elimination, at_once=True)]  # fmt: skip
     moved: list[Block] = []
     kept: list[Step] = []
     for step in steps:

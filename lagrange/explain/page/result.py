@@ -222,6 +222,9 @@ def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
     )
     functions = (*(f for _, f in classification.integrals), *(c.function for c in classification.combined[:1]))
     lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST_RESULTS]
+    displays = (b for s in steps for b in s.body if isinstance(b, Display))
+    solved = [e for b in displays for e in b.equations if (e.label or "").startswith("only-")]
+    lines = [replace(e, label=None) for e in solved] or lines
     vectors = [*_displacements(steps)]
     if vectors and not lines:
         same = "" if len(vectors) > 1 else " are the same"

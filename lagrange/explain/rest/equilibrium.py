@@ -23,7 +23,6 @@ from lagrange.document.derivation import (
     prose,
     series,
 )
-from lagrange.explain.bodies import link_called
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.limits import LONGEST_MINORS
 from lagrange.explain.words import (
@@ -32,6 +31,7 @@ from lagrange.explain.words import (
     existence_left_open,
     must_vanish,
     plural,
+    qualified,
     sign_conditions,
     substituting,
     suffix_of,
@@ -271,7 +271,7 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
     for springs, alternatives in alike.items():
         where: tuple[Part, ...] = ("Where ", *series(alternatives, " or "), ", ")
         if springs:
-            called = listed(f"the {link_called(name, 'spring')}" for name in springs)
+            called = listed(f"the {qualified('spring', name)}" for name in springs)
             one = len(springs) == 1
             what = (
                 *called,
@@ -339,7 +339,7 @@ def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:
                 forces.setdefault(pulls[name], []).append(Ref(f"equilibrium{suffix}-{n}"))
         if forces:
             sizes = series((math(f), " at ", *listed(places)) for f, places in forces.items())
-            yield prose(f"The {link_called(name, 'spring')} pulls its ends together with the force ", *sizes, ".")
+            yield prose(f"The {qualified('spring', name)} pulls its ends together with the force ", *sizes, ".")
 
 
 def _poles(equilibrium: Equilibrium) -> Iterator[Block]:

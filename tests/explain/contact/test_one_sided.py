@@ -148,7 +148,7 @@ SAID = {
     "ex01-horizontal-surface": "A support that can only push requires λ > 0 where P is on the side to which 𝐤 points",
     "ex02-fixed-surface": "requires λ > 0 where P is on the side to which ∇f points, λ < 0 where it is on the other.",
     "bead-on-rotating-hoop": "The sphere and plane constraints together keep P on a wire",
-    "bifilar-suspension": "On the bar act its weight, the moment twist and",
+    "bifilar-suspension": "On the bar act its weight, the twist moment and",
 }
 
 

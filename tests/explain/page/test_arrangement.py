@@ -81,3 +81,11 @@ def test_what_is_folded_takes_its_equations_with_it() -> None:
     assert labels[0] == "written-out"
     [principle] = [s for s in steps if s.rule is Rule.PRINCIPLE]
     assert [e.label for b in principle.body if isinstance(b, Display) for e in b.equations] == ["principle"]
+
+
+def test_what_reactions_are_and_their_work_are_one_paragraph() -> None:
+    r = reported("governor", complete=False)
+    printed = " ".join(
+        terminal.text(r.derivation, r.notation, 80).split("The reaction does no")[1].split("Alembert")[0].split()
+    )
+    assert "an unknown multiplier S. In a virtual displacement the reaction does the work" in printed

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
@@ -52,6 +54,7 @@ def test_equal_unit_vectors_have_one_name_and_what_is_not_used_is_not_stated() -
     assert said.count("𝐬 = cos θ 𝐢 + sin θ 𝐣") == 1
     assert "𝛚_left = φ̇₁ 𝐧 + θ̇ 𝐤" in said
     assert "_left = 𝐤" not in said
+    assert "The velocities of the mass centres, the angular velocities" in " ".join(said.split())
     used = printed("struck-sleigh")
     assert used.count("𝐧 = −sin θ 𝐢 + cos θ 𝐣") == 1
     assert "(ẋ 𝐢 + ẏ 𝐣)·𝐧 = 0" in used
@@ -70,6 +73,22 @@ def test_a_letter_is_defined_once_and_the_head_is_not_repeated() -> None:
     assert box.equations == (Equation((z, x / D), condition=("with ", math(D), " as above")),)
     assert c == other
     assert len(d.body) == 1  # a sentence that refers to the head
+
+
+def test_constant_accelerations_that_the_head_has_are_not_displayed_again() -> None:
+    rates = display(Equation((x, y)), boxed=True)
+    says = prose(Emphasis("Accelerations"), ", all of them constant:", purpose=Purpose.CONSTANT_RATES)
+    head = step(rates, rule=Rule.RESULT)
+    _, shortly = said_before([head, step(says, rates)])
+    assert shortly.body == (replace(says, parts=(*says.parts, " those at the head of the page.")),)
+    others = step(says, display(Equation((x, z)), boxed=True))
+    assert [*said_before([head, others])][1] == others
+
+
+def test_a_velocity_that_is_asked_to_be_zero_is_zero_in_the_condition() -> None:
+    asked = " ".join(printed("turning-parabola").split("Asked for")[1].split("Checks")[0].split())
+    assert "With ρ̇ = 0, the equations of motion give ρ̈ = −(2c g − Ω²) ρ/(4c² ρ² + 1)" in asked
+    assert "ρ̇²" not in asked
 
 
 def test_a_form_in_short_that_the_head_does_not_have_stays() -> None:

@@ -84,3 +84,9 @@ def test_no_rest_where_contact_would_be_lost(name: str, said: str, unsaid: str) 
     [line] = [line for line in lines if "At rest:" in line]
     assert said in line
     assert unsaid not in line
+
+
+def test_a_short_momentum_has_a_sentence_beside_a_long_energy() -> None:
+    printed = shipped_page("ball-on-a-ball")
+    assert "integrates to m a² b φ̇ sin²θ + (2/5) m a b² γ̇ = const." in printed
+    assert "the rate of change of the energy, which is constant:" in printed

@@ -50,5 +50,5 @@ find: [equilibrium, linearization]
 
 def test_places_alike_are_in_one_sentence_and_in_one_section() -> None:
     said = " ".join(page(TIED).split())
-    assert said.count("the spring tie has length 0") == 1
-    assert "Where θ = π/2 or θ = −π/2, the spring tie has" in said
+    assert said.count("the tie spring has length 0") == 1
+    assert "Where θ = π/2 or θ = −π/2, the tie spring has" in said

@@ -258,8 +258,9 @@ def _with_sentence(step: Step, forms: Sequence[str]) -> Step:
     if isinstance(last, Prose) and index_of(Purpose.NO_TIME, last.parts[-1:]) is not None:
         *parts, end = last.parts
         assert isinstance(end, Phrase)
-        so = (f"{end.instead}, so virtual displacements satisfy ", *refs, " with δ in place of d/dt.")
-        return replace(step, body=(*body, prose(*parts, *so, purpose=last.purpose)))
+        them = plural(len(forms), "it", "them")
+        so = f"{end.instead}, so virtual displacements satisfy {them} with δ in place of d/dt."
+        return replace(step, body=(*body, prose(*parts, so, purpose=last.purpose)))
     words = prose("Since time does not appear, virtual displacements satisfy ", *refs, " with δ in place of d.")
     return replace(step, body=(*body, paragraph(last, words)) if isinstance(last, Prose) else (*body, last, words))
 

@@ -242,7 +242,9 @@ def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
 def _block_with_lengths(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
     if not isinstance(block, Display):
         return block
-    return block.map(lambda e: _line(e, lengths, stated))
+    lines = tuple(_line(e, lengths, stated) for e in block.equations)
+    is_stated = len(lines[0].sides) == 1 < len(block.equations[0].sides) and len(lines) == 2
+    return replace(block, equations=paired(lines) if is_stated else lines)
 
 
 def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Equation:

@@ -17,6 +17,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    Math,
     Phrase,
     Prose,
     Purpose,
@@ -187,6 +188,6 @@ def test_a_spring_and_a_damper_of_one_length_share_its_letter() -> None:
     both = Step(
         Rule.STATEMENT, "", (*STATEMENT.body, display(Equation((oil, sp.sqrt(RADICAND))), Equation((c * rate, c))))
     )
-    _, second, pull = lines({}, both)
+    _, second = lines({}, both)
     assert second.sides == (sp.Symbol("d_spring", positive=True),)
-    assert pull.sides[0] == c * sp.Symbol("d_spring'", real=True)
+    assert second.condition == (Math((c * sp.Symbol("d_spring'", real=True), c)),)
