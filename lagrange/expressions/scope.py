@@ -40,6 +40,9 @@ UNITS = {
 ALWAYS_UNITS = {f"e_{axis}": unit for axis, unit in zip("xyz", UNITS.values(), strict=True)}
 """The fixed unit vectors under reserved names."""
 
+ORIGIN = Vector((sp.S.Zero,) * 3)
+"""The position of O, where nothing else is called so."""
+
 RESERVED = frozenset({"t", "pi", *FUNCTIONS, *OPERATIONS, *ALWAYS_UNITS})
 """Names that a file cannot declare."""
 
@@ -88,6 +91,8 @@ class Scope:
         """The vector that a name means, if any; `i`, `j`, `k` only where no symbol has that name."""
         if name in UNITS:
             return self.unit(name) if self.scalar(name) is None and name not in self.functions else None
+        if name == "O" and self.scalar(name) is None and name not in self.functions:
+            return self.vectors.get(name, ORIGIN)
         return self.vectors.get(name, ALWAYS_UNITS.get(name))
 
     def unit(self, name: str) -> Vector | None:
@@ -168,8 +173,6 @@ def help_for_symbol(name: str, scope: Scope) -> str:
     if force := scope.reactions.get(name):
         named = "" if force.startswith("lambda") else " force"
         return f"`{name}` is a constraint; its reaction{named} is `{force}`".replace("reaction force", "force")
-    if name == "O":
-        return "the origin is `0*i`; `O` is known as an end of a spring and in figures"
     if name in DEGREES:
         return "degrees follow a number, `30 deg`; symbols and functions have radians"
     if (split := _split(name, scope)) and name not in GREEK.values():

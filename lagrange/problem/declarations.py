@@ -45,7 +45,7 @@ def read_coordinates(node: Node | None, names: DeclaredNames) -> tuple[Coordinat
 
 
 def read_unknowns(node: Node | None, names: DeclaredNames, forces: Node | None = None) -> tuple[sp.Symbol, ...]:
-    """A list of names of unknown forces. Of these, coefficients of friction in the section `forces` are positive."""
+    """A list of names of unknown forces. Coefficients of friction and angles of contact among them are positive."""
     unknown = _declared(node, "unknowns", names, _unknown)
     entries = forces.entries if isinstance(forces, MappingNode) else ()
     coefficients = {
@@ -53,7 +53,7 @@ def read_unknowns(node: Node | None, names: DeclaredNames, forces: Node | None =
         for _, force in entries
         if isinstance(force, MappingNode)
         for key, value in force.entries
-        if key.text in ("belt", "friction", "static") and isinstance(value, Scalar)
+        if key.text in ("belt", "friction", "static", "angle") and isinstance(value, Scalar)
     }
     return tuple(sp.Symbol(s.name, positive=True) if s.name in coefficients else s for s in unknown)
 

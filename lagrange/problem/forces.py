@@ -374,7 +374,7 @@ def _friction(f: _Entry) -> Force:
 def _belt(f: _Entry) -> Force:
     coefficient, angle, tight, slack = f.all_of(
         lambda: f.scalar("belt", COEFFICIENT),
-        lambda: f.scalar("angle", POSITION),
+        lambda: f.scalar("angle", PLACE),
         lambda: f.scalar("tight", FORCE, f.tensions),
         lambda: f.scalar("slack", FORCE, f.tensions),
     )

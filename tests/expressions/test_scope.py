@@ -10,7 +10,8 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment
 from lagrange.core.symbols import t
-from lagrange.expressions.reader import canonical_name, read_scalar
+from lagrange.core.vectors import Vector
+from lagrange.expressions.reader import canonical_name, read_scalar, read_vector
 from tests.support.expression_texts import a, g, l, m, refused, same, scope, sin, sqrt, theta, x, y
 
 
@@ -37,6 +38,12 @@ def test_free_names(name: str) -> None:
         f"sin({name})": sin(s),
     }.items():
         assert same(read_scalar(Fragment.of(text), known), expected), text
+
+
+def test_the_origin_where_nothing_else_is_called_o() -> None:
+    assert read_vector(Fragment.of("O + 2*i"), scope()) == Vector((sp.Integer(2), sp.S.Zero, sp.S.Zero))
+    assert read_scalar(Fragment.of("2 O"), scope("O")) == 2 * symbol("O")
+    assert [d.code for d in refused("m*O", scope())] != ["unknown-symbol"]
 
 
 def test_a_power_of_ten_is_a_product_where_e_is_declared() -> None:

@@ -25,12 +25,13 @@ from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.equilibria import check_equilibria
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
-from lagrange.answers.limits import MOST_FRICTION_SIGNS
+from lagrange.answers.limits import MOST_FRICTION_SIGNS, UNITS_OF_EXPLAINING
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, other_readings, read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import numbers_rounding_to
 from lagrange.core.diagnostics import Fragment
+from lagrange.core.effort import GivenUpError, allowed_for_a_search
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -50,6 +51,7 @@ def check_impending_answers(
 ) -> AnswerVerdict:
     """The verdict in one set of coordinates; `motions` has each direction of slip."""
     newton = solution.law.newton if solution.law is not None else None
+    alternatives = [[_without_logarithm(f, motions, reference) for f in a] for a in alternatives]
     put_in = [[forces_put_in(a, m, newton, reference) for a in alternatives] for m in motions]
     own = [[_positions(p, m, reference) for p in row] for row, m in zip(put_in, motions, strict=True)]
     table = [
@@ -81,6 +83,20 @@ def check_impending_answers(
     if not wrong:
         return AnswerVerdict(Verdict.UNDECIDED)
     return AnswerVerdict(Verdict.WRONG, diagnosis=_explained(wrong, motions, reference, solution))
+
+
+def _without_logarithm(f: Fragment, motions: Sequence[ImpendingMotion], reference: Reference) -> Fragment:
+    """β = log(Q/P)/μ, of an unknown in the law of a belt, as exp(μ β) = Q/P; any other equation unchanged."""
+    components = [e for e in read_answer(f, reference.scope).components if isinstance(e, sp.Expr) and e.has(sp.log)]
+    for e, m in product(components, motions):
+        growths = {p.args[0] for law in m.equilibrium.laws for p in law.atoms(sp.exp)}
+        for growth, unknown in product(growths, m.equilibrium.forces):
+            rate, rest = sp.expand(e).as_independent(unknown, as_Add=True)[::-1]
+            slope, value = rate / unknown, -rest * unknown / rate if rate != 0 else sp.nan
+            grown = sp.exp(sp.expand(growth.xreplace({unknown: value})))
+            if unknown in growth.free_symbols - slope.free_symbols and not grown.has(sp.exp, sp.log, sp.nan):
+                return Fragment.of(f"exp({text(growth)}) = {text(grown)}")
+    return f
 
 
 def _positions(forces: ForcesPutIn, motion: ImpendingMotion, reference: Reference) -> list[Fragment]:
@@ -117,6 +133,19 @@ def _explained(
     solution: Solution,
 ) -> str:
     """What wrong limits are instead, in a sentence; empty if that is not found."""
+    try:
+        with allowed_for_a_search(UNITS_OF_EXPLAINING):
+            return _found_explanation(wrong, motions, reference, solution)
+    except GivenUpError:
+        return ""
+
+
+def _found_explanation(
+    wrong: Sequence[Sequence[Fragment]],
+    motions: Sequence[ImpendingMotion],
+    reference: Reference,
+    solution: Solution,
+) -> str:
     from lagrange.answers.results.conditions import (
         ONLY_A_NUMBER,
         StatedCondition,

@@ -17,10 +17,10 @@ import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots
+from lagrange.core.symbols import Slots, sign_between
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.limits import MOST_SQUARE_TERMS
-from lagrange.problem.model import Damper, Problem, Spring
+from lagrange.problem.model import Damper, Problem, Range, Spring
 
 
 class Link:
@@ -165,11 +165,30 @@ def _sense_in_range(problem: Problem, apart: Vector) -> int | None:
         return None
     for sense in (1, -1):
         ahead = sp.expand(-sense * parts[0])
+        if _is_never_negative(ahead, ranges):
+            return sense
         least = ahead.xreplace({q: r.low if ahead.coeff(q).is_nonnegative else r.high for q, r in ranges.items()})
         linear = all(ahead.diff(q).is_number for q in ranges)
         if linear and least.is_finite is not False and least.is_nonnegative:
             return sense
     return None
+
+
+def _is_never_negative(e: sp.Expr, ranges: Mapping[sp.Symbol, Range]) -> bool:
+    """Whether a product of positive factors and of sines and cosines of angles in their ranges is not negative: its
+    zeros may be at the ends, 2l cos θ for θ from 0 to 90°.
+    """
+    ends = []
+    for f in sp.Mul.make_args(sp.factor_terms(e)):
+        if f.is_nonnegative:
+            continue
+        within = ranges.get(f.args[0]) if isinstance(f, sp.sin | sp.cos) and f.args[0].is_Symbol else None
+        if within is None or not within.low.is_number or not within.high.is_number:
+            return False
+        if sign_between(f.func, within.low, within.high, (True, True)) != 1:
+            return False
+        ends.append(f)
+    return bool(ends)
 
 
 def _distance(apart: Vector) -> sp.Expr:

@@ -318,6 +318,32 @@ def constant_side(constraint: Constraint, row: Row, slots: Slots) -> sp.Expr | N
     return next((side for side in sides if side.free_symbols.isdisjoint(slots.coordinates)), None)
 
 
+def share_of_polygon(row: Row, constant: sp.Expr | None, slots: Slots) -> sp.Expr | None:
+    """T/λ of f = ±c (ℓ² − L²) where ℓ closes a polygon: ℓ² = Σ ℓ_i² + 2 Σ ℓ_i ℓ_j cos φ_ij, as x² + r² − 2 r x cos φ.
+
+    Whatever the ends are: a slider, a crank, of which the coordinates show a part of the force only.
+
+    constant  ∓c L², as the equation is written
+    """
+    if row.finite is None or constant is None or not (constant.is_negative or constant.is_positive):
+        return None
+    sign = 1 if constant.is_negative else -1
+    terms = [e.as_coeff_Mul() for e in sp.Add.make_args(sp.expand(textbook_form(sign * (row.finite - constant))))]
+    squares = {e.base: share for share, e in terms if e.is_Pow and e.exp == 2 and e.base.is_Symbol}
+    turning = {s for _, e in terms for wave in e.atoms(sp.sin, sp.cos) for s in wave.free_symbols}
+    if len({*squares.values()}) != 1 or turning.isdisjoint(slots.coordinates) or turning & {*squares}:
+        return None
+    share = next(iter(squares.values()))
+    for number, e in terms:
+        factors = {*sp.Mul.make_args(e)}
+        sides, waves = factors & {*squares}, factors - {*squares}
+        is_square = e.is_Pow and e.base in squares
+        is_mixed = abs(number) == 2 * share and len(sides) == 2 and all(isinstance(w, sp.sin | sp.cos) for w in waves)
+        if not is_square and not is_mixed:
+            return None
+    return -2 * sign * share * sp.sqrt(abs(constant) / share)
+
+
 def is_length(length: sp.Expr, stated: sp.Expr | None) -> bool:
     """Whether a length may be the stated one, up to a number; also where none is stated."""
     if stated is None or tidy_quotient(length / stated).is_number:

@@ -47,7 +47,7 @@ from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.dynamics.free_bodies import Forces, Placed, Rod, constant_side, form_as_forces
+from lagrange.mechanics.dynamics.free_bodies import Forces, Placed, Rod, constant_side, form_as_forces, share_of_polygon
 from lagrange.problem.model import Constraint, Keeper
 
 SURFACES = frozenset({Keeper.SURFACE, Keeper.WIRE})
@@ -122,6 +122,8 @@ def single_force(
         named = constraint.reaction != row.multiplier and is_called_string(row.name)
         if tension is None and (rooted is not row or by is Keeper.STRING or named):
             tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
+        if tension is None and (share := share_of_polygon(rooted, constant, configuration.slots)) is not None:
+            tension = SingleForce(ForceKind.TENSION, share)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
     if leads and placed is not None and side == -1:  # λ, counted as it pushes
@@ -153,8 +155,7 @@ def _along_unit_vector(
     if (ends := _ends(acts, placed, configuration)) is None:
         return None
     direction = acts.forces[ends[0]]
-    root = _root_of_square(direction, row, configuration)
-    written = _differences(row, configuration)
+    root, written = _root_of_square(direction, row, configuration), _differences(row, configuration)
     plain = _without_signs(root, written)
     size = side * plain
     sizes = (a for a in sorted(root.atoms(sp.Abs), key=str) if not plain.has(a))
@@ -596,5 +597,4 @@ def _squared_distance(
     if scale is None:
         return None
     others = [name for name in (*acts.moments,) if name not in acts.forces]
-    span = (gradient / (2 * scale)).map(textbook_form)
-    return VectorToPoint(span, first, *(second or others)), scale
+    return VectorToPoint((gradient / (2 * scale)).map(textbook_form), first, *(second or others)), scale

@@ -336,3 +336,40 @@ def slope(e: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, int] | None:
     """The derivative of such an expression at its roots beside zero, and its sign; None for other expressions."""
     found = tangent_coefficients(e, q)
     return None if found is None else (found[0] * (1 / sp.cos(q) - sp.sin(q) / q), sign_of(found[0]) or 0)
+
+
+def symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[tuple[sp.Expr, ...]]:
+    """q or sin q for each coordinate that may be 0 or π by symmetry: one of the equations then holds identically."""
+    for q in coordinates:
+        if any(q in e.free_symbols and _vanishes_at_zero(e, q) for e in equations):
+            yield (_at_zero(q, equations),)
+
+
+def place_as_drawn(configuration: Configuration) -> Iterator[tuple[sp.Expr, ...]]:
+    """All coordinates, each zero, where the constraints admit that, otherwise the angles: a file is often written about
+    the position that is drawn.
+    """
+    finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
+    origin = dict.fromkeys(coordinates, sp.S.Zero)
+    places = [_at_zero(q, finite) for q in coordinates]
+    try:
+        admitted = bool(finite) and all(is_zero(f.xreplace(origin)) is True for f in finite)
+    except DivisionByZeroError:
+        admitted = False
+    turned = tuple(place for place in places if place not in coordinates)
+    if admitted or (finite and turned):
+        yield tuple(places) if admitted else turned
+
+
+def _at_zero(q: sp.Symbol, equations: Sequence[sp.Expr]) -> sp.Expr:
+    """What vanishes where a coordinate is 0, of an angle its sine."""
+    turns = any(q in f.free_symbols for e in equations for f in e.atoms(sp.sin, sp.cos, sp.tan))
+    return sp.sin(q) if turns else q
+
+
+def _vanishes_at_zero(e: sp.Expr, q: sp.Symbol) -> bool:
+    """Whether a function of q is zero where q = 0; not where it does not exist, as exp(−r/a)/r² does not."""
+    try:
+        return is_zero(e.xreplace({q: sp.S.Zero})) is True
+    except DivisionByZeroError:
+        return False

@@ -18,7 +18,7 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cached_property
 from itertools import chain
@@ -47,6 +47,8 @@ from lagrange.mechanics.equilibrium.admissible_positions import (
     is_at_edge,
     is_only_of_chart,
     moves_nothing,
+    place_as_drawn,
+    symmetric_places,
     within,
 )
 from lagrange.mechanics.equilibrium.loads import at_rest, load_parameters
@@ -404,8 +406,8 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         branches += tuple(b for b in beside if not b.special and not any(is_part(b, o, solution) for o in branches))
     if not solution.solved:
         verdicts = [solution.verified] if any(not b.left for b in branches) else []
-        for place in _symmetric_places(equations, coordinates):
-            there = solved(place)
+        for place in (*symmetric_places(equations, coordinates), *place_as_drawn(e.configuration)):
+            there = solved(*place)
             beside, _ = _without(there.branches, multipliers)
             stated = {b.relations for b in branches}
             closed = (b for b in beside if not b.left and b.relations not in stated)
@@ -508,22 +510,6 @@ def _merged(branches: Iterable[Branch], angles: Set[sp.Symbol]) -> tuple[Branch,
 def _letters_of(b: Branch) -> int:
     """How many letters the unknowns are given by."""
     return sum(len(r.rhs.free_symbols) for r in b.relations)
-
-
-def _symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:
-    """q or sin q for each coordinate that may be 0 or π by symmetry: one of the equations then holds identically."""
-    for q in coordinates:
-        turns = any(q in f.free_symbols for e in equations for f in e.atoms(sp.sin, sp.cos, sp.tan))
-        if any(q in e.free_symbols and _vanishes_at_zero(e, q) for e in equations):
-            yield sp.sin(q) if turns else q
-
-
-def _vanishes_at_zero(e: sp.Expr, q: sp.Symbol) -> bool:
-    """Whether a function of q is zero where q = 0; not where it does not exist, as exp(−r/a)/r² does not."""
-    try:
-        return is_zero(e.xreplace({q: sp.S.Zero})) is True
-    except DivisionByZeroError:
-        return False
 
 
 def _without_length(b: Branch, solution: SolutionSet, configuration: Configuration) -> tuple[str, ...]:

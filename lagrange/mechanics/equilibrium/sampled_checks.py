@@ -143,12 +143,13 @@ class Samples:
 
     @cached_property
     def hessian(self) -> list[list[sp.Expr]]:
-        """H, shape (n, n)."""
+        """H, shape (n, n); away from the jumps of forces, where sign(x) is constant."""
         total = [
             e - sp.Add(*(m * row[k] for m, row in zip(self.multipliers, self.rows, strict=True)))
             for k, e in enumerate(self.forces)
         ]
-        return [[e.diff(q) for q in self.slots.coordinates] for e in total]
+        derivatives = [[e.diff(q) for q in self.slots.coordinates] for e in total]
+        return [[d.replace(sp.DiracDelta, lambda *_: sp.S.Zero) for d in row] for row in derivatives]
 
     def agreeing(self, b: Branch, s: Stability) -> list[bool | None]:
         """Whether the second variation has the stated sign, at each point that could be used; None if none could."""

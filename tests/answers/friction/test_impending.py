@@ -75,3 +75,33 @@ def test_an_answer_by_angles_of_friction(stated: str, verdict: str) -> None:
     """A wedge under a load: W tan(α + φ) from the incline, and μ W from the floor."""
     judged = check_answer(loaded("wedge-that-lifts"), (Fragment.of(stated),))
     assert judged.verdict.value == verdict
+
+
+POST = """title: Turns of a rope on a post
+parameters: [P, Q, mu]
+unknowns: [beta, T]
+coordinates: [y]
+particles: {ship: {position: y*j}}
+forces:
+  pull: {on: ship, vector: Q*j}
+  rope: {on: ship, vector: -T*j}
+  post: {belt: mu, angle: beta, tight: T, slack: P}
+find: [equilibrium, impending]
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("beta = log(Q/P)/mu", "equivalent"),
+        ("beta = (log(Q) - log(P))/mu", "equivalent"),
+        ("Q = P*exp(mu*beta)", "equivalent"),
+        ("beta = log(P/Q)/mu", "wrong"),
+    ],
+)
+def test_an_unknown_angle_of_contact(problem: Read, stated: str, verdict: str) -> None:
+    solution = solved(problem, f'{POST}answers: {{equilibrium: ["{stated}"]}}\n')
+    [answer] = compared_answers(solution)
+    assert answer.verdict.value == verdict
+    [condition] = solution.own.at_rest.cases[0]
+    assert str(condition.left) == "log(Q/P)/mu"

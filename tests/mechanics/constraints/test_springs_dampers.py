@@ -98,6 +98,25 @@ def test_a_range_decides_in_which_sense_a_spring_lies(between: str, low: str, hi
     assert str(spring.distance) == distance
 
 
+@pytest.mark.parametrize(
+    ("place", "low", "high", "distance"),
+    [
+        ("2*l*cos(x)", "0", "90 deg", "2*l*cos(x)"),
+        ("2*l*cos(x)", "-90 deg", "90 deg", "2*l*cos(x)"),
+        ("-l*sin(x)", "0", "180 deg", "l*sin(x)"),
+        ("l*cos(x)", "0", "91 deg", "l*Abs(cos(x))"),
+    ],
+)
+def test_a_range_of_an_angle_decides_it(place: str, low: str, high: str, distance: str) -> None:
+    """Though the length is zero at an end of the range."""
+    problem = lagrange.loads(
+        f"title: T\nparameters: [l, c]\ncoordinates: {{x: {{range: [{low}, {high}]}}}}\n"
+        f"particles: {{P: {{position: {place}*i}}}}\nforces: {{s: {{spring: c, between: [O, P], length: l}}}}\n"
+    )
+    [spring] = stretched_springs(problem)
+    assert str(spring.distance) == distance
+
+
 def test_a_potential_has_the_extension_and_not_its_negative() -> None:
     problem = lagrange.loads(ON_A_LINE.format(ends="O, P", more=", length: l, sense: positive"))
     [spring] = stretched_springs(problem)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import SimpleNamespace
 
 import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.dynamics.free_bodies import share_of_polygon
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
@@ -88,3 +91,18 @@ def test_a_string_over_a_pulley_is_no_rod(problem: Read) -> None:
     [reaction] = found.law.newton.reactions
     assert reaction.rod is None
     assert not reaction.is_normal
+
+
+def test_a_length_that_closes_a_polygon() -> None:
+    a, b, l, p, q, u = sp.symbols("a b l p q u", positive=True)
+    chain = a**2 + b**2 + 2 * a * b * sp.cos(p - q)
+    turning = SimpleNamespace(coordinates=(p, q))
+
+    def share(f: sp.Expr, constant: sp.Expr) -> sp.Expr | None:
+        return share_of_polygon(Row("", (), sp.S.Zero, f), constant, turning)  # type: ignore[arg-type]
+
+    assert share(chain - l**2, -(l**2)) == -2 * l
+    assert share(5 * l**2 - 5 * chain, 5 * l**2) == 10 * l
+    assert share(chain + a * b * sp.cos(p) - l**2, -(l**2)) is None
+    assert share(a**2 + 2 * b**2 - 2 * a * b * sp.cos(p) - l**2, -(l**2)) is None
+    assert share(sp.cos(p) ** 2 + u**2 - l**2, -(l**2)) is None

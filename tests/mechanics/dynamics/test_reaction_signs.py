@@ -598,3 +598,39 @@ def test_a_wall_on_a_curve(coordinates: str, place: str, curve: str, equation: s
         assert abs(float(parse_expr(normal).subs(sizes))) == pytest.approx(1.3 * (1 + (1.4 / 1.5) ** 2) ** 0.5)
     page = " ".join(terminal.text(made.derivation, made.notation, 100).split())
     assert "at the distance" not in page
+
+
+# -- ends that the coordinates guide -----------------------------------------------------------------------------------
+
+SLIDER_CRANK = """
+title: Slider-crank
+parameters: [r, l, F]
+unknowns: [M]
+coordinates: [phi, x]
+bodies: {crank: {position: 0*i, angle: phi}}
+particles: {piston: {position: x*i}}
+constraints: {link: {equation: EQUATION, reaction: S}}
+forces: {push: {on: piston, vector: -F*i}, turn: {on: crank, moment: M*k}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    "equation",
+    [
+        "(x - r*cos(phi))^2 + (r*sin(phi))^2 = l^2",
+        "l^2 = (x - r*cos(phi))^2 + (r*sin(phi))^2",
+        "3*x^2 - 6*r*x*cos(phi) + 3*r^2 = 3*l^2",
+    ],
+)
+def test_tension_of_a_link_between_a_slider_and_a_crank(problem: Read, equation: str) -> None:
+    """F + S (x − r cos φ)/l = 0 on the piston, whose guide takes the force across."""
+    read = problem(SLIDER_CRANK.replace("EQUATION", equation))
+    configuration = kinematics(read)
+    [reaction] = newton_of(read, configuration, read.constraints).reactions
+    phi, x, r, l = (read.scope.scalars[n] for n in ("phi", "x", "r", "l"))
+    assert reaction.single is not None
+    assert reaction.single.kind is ForceKind.TENSION
+    assert configuration.states.is_zero(
+        reaction.row.coefficients[1] - reaction.single.factor * -(x - r * sp.cos(phi)) / l
+    )

@@ -19,7 +19,15 @@ from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose
 from lagrange.explain.report import Report, report
 from lagrange.explain.rest.equilibrium import explain_virtual_work
-from lagrange.mechanics.equilibrium.admissible_positions import beside_zero, only_angle, slope, tangent_coefficients
+from lagrange.mechanics.constraints.classification import classify
+from lagrange.mechanics.constraints.kinematics import file_configuration
+from lagrange.mechanics.equilibrium.admissible_positions import (
+    beside_zero,
+    only_angle,
+    place_as_drawn,
+    slope,
+    tangent_coefficients,
+)
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
@@ -440,3 +448,23 @@ find: equilibrium
     assert solved is not None
     theta = sp.Symbol("theta", real=True)
     assert [r.rhs for b in solved.branches for r in b.relations if r.lhs == theta] == [sp.pi]
+
+
+HUNG = """title: Beam on two strings
+parameters: [a, b, c, W, P]
+coordinates: [x, y, theta]
+bodies: {beam: {position: x*i + y*j, angle: theta}}
+constraints:
+  one: {equation: norm(r_beam - b*e1_beam + b*i - H) = a, reaction: T_1}
+  two: {equation: norm(r_beam + b*e1_beam - b*i - H) = a, reaction: T_2}
+forces: {weight: {on: beam, vector: -W*j}, load: {on: beam, vector: -P*j, at: r_beam + c*e1_beam}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(("place", "zero"), [("a*j", ("x", "y", "sin(theta)")), ("0*j", ("sin(theta)",))])
+def test_the_position_in_which_a_beam_is_drawn(place: str, zero: tuple[str, ...]) -> None:
+    """Level at x = y = 0 below the points (∓b, a); about the points themselves only θ = 0 is known beforehand."""
+    problem = read_problem(Source("hung.yaml", HUNG.replace("H", place)))
+    [tried] = place_as_drawn(file_configuration(problem, classify(problem).constrained))
+    assert tuple(map(str, tried)) == zero

@@ -152,3 +152,12 @@ bodies:
 gravity: -g*k
 find: linearization
 """
+
+
+def test_the_second_variation_beside_a_jump() -> None:
+    """V = k (|x| − l)²/2 + F |x|: k at x = ±(l − F/k), where sign(x) is constant."""
+    view = own(
+        "title: T\nparameters: [k, l, F]\ncoordinates: [x]\nparticles: {P: {position: x*i}}\n"
+        "forces: {s: {spring: k, between: [O, P], length: l}, f: {on: P, vector: -F*sign(x)*i}}\nfind: equilibrium\n"
+    )
+    assert passed(view) == [True]

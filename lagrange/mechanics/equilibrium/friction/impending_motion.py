@@ -251,7 +251,11 @@ def _at_limit(
         pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
         resting = there
     values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
-    resting = _possible(resting, contacts, signs, values)
+    balance = [
+        sp.Add(*(a * pressed[u] for a, u in zip(row, unknowns, strict=True)), -r)
+        for row, r in zip(rows, right, strict=True)
+    ]
+    resting = _in_balance(_possible(resting, contacts, signs, values), balance)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
     for c in contacts:
@@ -264,6 +268,31 @@ def _at_limit(
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
     unstated = {} if resting.given else held
     return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, unstated, held)
+
+
+def _in_balance(resting: Equilibrium, balance: Sequence[sp.Expr]) -> Equilibrium:
+    """The equilibria without those at which an equation of balance does not hold.
+
+    Where the dependent displacements have no solution, as of two strings that hang straight down, the principle of
+    virtual work for the independent ones says too little.
+    """
+
+    def fails(b: Branch) -> bool:
+        if b.special or b.left or not b.points:  # their points do not have the relations between parameters put in
+            return False
+        try:
+            return all(any(is_zero(resting.solution.at(p, e)) is False for e in balance) for p in b.points)
+        except (NotAlgebraicError, DivisionByZeroError):
+            return False
+
+    kept = [n for n, b in enumerate(resting.branches) if resting.given or not fails(b)]
+    if len(kept) == len(resting.branches):
+        return resting
+    idle = tuple(resting.idle[n] for n in kept if n < len(resting.idle))
+    solution = replace(resting.solution, branches=tuple(b for b in resting.solution.branches if not fails(b)))
+    further = (without_leading_minus(sp.fraction(sp.together(shortest(e)))[0]) for e in balance)
+    laws = (*resting.laws, *dict.fromkeys(e for e in further if e != 0))
+    return replace(resting, branches=tuple(resting.branches[n] for n in kept), idle=idle, solution=solution, laws=laws)
 
 
 def _pressed_by(

@@ -117,3 +117,30 @@ def test_limits_are_solved_for_what_has_no_value(problem: Read, values: str) -> 
     [limit] = (e.split(" = ")[1] for e in branch if e.startswith("P = "))
     size = parse_expr(limit.replace("^", "**")).subs({"W": 400, "alpha": math.pi / 18, "mu": 0.27})
     assert float(size) == pytest.approx(400 * (math.tan(math.pi / 18) + 0.27))
+
+
+RINGS = """title: Two rings on a rough rod and a weight between them
+parameters: [w, W, l, mu]
+coordinates: [x_1, y_1, x_2, y_2, x, y]
+particles: {A: {position: x_1*i + y_1*j}, B: {position: x_2*i + y_2*j}, C: {position: x*i + y*j}}
+constraints:
+  left: {equation: y_1 = 0, reaction: N_A}
+  right: {equation: y_2 = 0, reaction: N_B}
+  string_A: {equation: norm(r_C - r_A) <= l, reaction: T_A}
+  string_B: {equation: norm(r_C - r_B) <= l, reaction: T_B}
+forces:
+  w_A: {on: A, vector: -w*j}
+  w_B: {on: B, vector: -w*j}
+  w_C: {on: C, vector: -W*j}
+  f_A: {friction: mu, static: mu, constraint: left, on: A, slip: i, contact: positive}
+  f_B: {friction: mu, static: mu, constraint: right, on: B, slip: -i, contact: positive}
+generalized_coordinates:
+  angle: {coordinates: [x, theta], substitute: {x_1: x - l*sin(theta), x_2: x + l*sin(theta), y_1: 0, y_2: 0, y: -l*cos(theta)}}
+find: impending
+"""
+
+
+def test_where_displacements_are_singular_all_equations_of_balance_count(problem: Read) -> None:
+    """2T cos θ = W, N = w + W/2 and T sin θ = μ N; strings that hang straight down make friction zero."""
+    [branch] = in_json.as_object(report(problem(RINGS)))["equilibrium"]
+    assert branch == ["tan(theta) = mu*(W + 2*w)/W"]
