@@ -480,8 +480,8 @@ def _bodies(root: Section, context: LoadContext, bodies: dict[str, Body]) -> Ite
         named = _named_vectors({place: f"the position of `{name}`", **turning}, key, context)
         if named is None:
             continue
-        of_place = tuple(n for n in named if n == place)
-        yield _Entry(key, tuple(n for n in named if n != place), of_turning, partial(_read_turning, body, context, bodies))
+        of_place, of_axes = (tuple(n for n in named if (n == place) == wanted) for wanted in (True, False))
+        yield _Entry(key, of_axes, of_turning, partial(_read_turning, body, context, bodies))
         yield _Entry(key, of_place, of_position, partial(_read_place, body, context, bodies))
 
 
