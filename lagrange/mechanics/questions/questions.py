@@ -138,6 +138,7 @@ class _Search:
         rather_not = {*mentioned(question), *occurring, *map(prime, occurring)}
         self.rule = setting.dependent(rather_not, question.by)
         self.kept_senses = kept_senses(self.when, setting)
+        self.adapted = self._adapted()
 
     def _meanings(self) -> Meanings:
         """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
@@ -151,6 +152,16 @@ class _Search:
             return known
         value = known.reactions.get(self.opposite)
         return replace(known, reactions={**known.reactions, self.opposite: None if value is None else -value})
+
+    def _adapted(self) -> sp.Symbol | None:
+        """The one parameter without a value in conditions that are about parameters: with the force at which a crate
+        tips its acceleration is asked for.
+        """
+        when = [e.xreplace(self.rule) for e in self.when]
+        named = {s for e in when for s in e.free_symbols}
+        left = named - self.setting.values.keys()
+        is_one = len(left) == 1 and len(named) > 1 and left <= {p.symbol for p in self.setting.problem.parameters}
+        return next(iter(left)) if is_one and self.parameter is None else None
 
     def _applied(self, e: sp.Expr) -> sp.Expr:
         return self.known.applied(self.configuration.rewritten(e))
@@ -256,8 +267,7 @@ class _Search:
         moving = {*self.slots.velocities, *self.slots.coordinates}
         unknowns = [s for s in self.place.moving if s != self.question.by and s not in self.rule]
         unknowns.sort(key=lambda s: s not in self.slots.velocities)
-        if self.parameter is not None:
-            unknowns.append(self.parameter)
+        unknowns += [s for s in (self.parameter, self.adapted) if s is not None]
         velocities = [v for v in self.slots.velocities if v in unknowns]
         quantity = self.quantity.xreplace(self.rule)
         elimination = eliminated(equations, quantity, unknowns, velocities, self.question.quantity)
