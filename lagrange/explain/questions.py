@@ -371,6 +371,9 @@ def _how(asked: Asked) -> tuple[Part, ...]:
         return _terms_of(asked).parts
     if asked.how is How.NUMERICAL and asked.integrand is not None:
         return ("No elementary function was found for it. In numbers it is",)
+    if asked.how is How.NUMERICAL and asked.mirrored:
+        return ("The motion begins in an unstable equilibrium, to one side or the other. The integrals leave one "
+                "coordinate in the condition, which holds first, in numbers, where",)  # fmt: skip
     if asked.how is How.NUMERICAL:
         return ("Integrating the equations of motion numerically gives, for the first time that this holds,",)
     if asked.route is Route.SOLUTION and not asked.solutions:

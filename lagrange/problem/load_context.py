@@ -158,7 +158,8 @@ class LoadContext:
         self._sizes.update({name: expanded_size(value) for name, value in more.items() if value.args})
 
     def add_vectors(self, more: Mapping[str, Vector]) -> None:
-        """Adds vectors to the scope."""
+        """Adds vectors to the scope, apart from those whose names symbols have."""
+        more = {name: vector for name, vector in more.items() if not self.names.is_symbol(name)}
         self.scope = replace(self.scope, vectors={**self.scope.vectors, **more})
         self._sizes.update({name: sum(expanded_size(c) for c in v.components) for name, v in more.items()})
 
@@ -307,6 +308,7 @@ class SpokenName(str):
 
 
 _ONE_MEANING = "give one of the two another name: a symbol means one thing in a file"
+_SYMBOLS = ("a parameter", "a coordinate")
 _SPELLING = "a name begins with a letter and has letters, digits and `_`"
 
 
@@ -361,6 +363,16 @@ class DeclaredNames:
         help_ = f"`{name}` always is {what}: rename one of the two" if name.startswith("r_") else _ONE_MEANING
         self.diagnostics.report(Diagnostic("declared-twice", message, second.span, _first_on(first.span), help_))
         return False
+
+    def is_symbol(self, name: str) -> bool:
+        """Whether a name is that of a parameter or coordinate of the file."""
+        return name in self.declared and self.declared[name].what in _SYMBOLS
+
+    def report_symbol(self, name: str, vector: str, span: Span) -> None:
+        """Notes that a name is that of a symbol and not of a vector: the radius r_A of a gear A, its first omega_A."""
+        message = f"`{name}` is {self.declared[name].what} here, and not {vector}"
+        help_ = "give the symbol another name where the vector is needed"
+        self.diagnostics.report(Diagnostic("read-as", message, span, help=help_, level=Severity.NOTE))
 
     def spelled(self, scalar: Scalar, what: str) -> str | None:
         """The canonical spelling of a name, or None if it cannot be one (reported)."""

@@ -383,12 +383,20 @@ def _particles(root: Section, context: LoadContext, particles: dict[str, Particl
         if name is None:
             continue
         context.points[name] = None
-        if not context.names.add(f"r_{name}", f"the position of `{name}`", key.span):
+        named = _named_vectors({f"r_{name}": f"the position of `{name}`"}, key, context)
+        if named is None:
             continue
         of_position, of_mass = _names_used(node)
-        yield _Entry(
-            key, (f"r_{name}",), of_position | of_mass, partial(_read_particle, name, key, node, context, particles)
-        )
+        yield _Entry(key, named, of_position | of_mass, partial(_read_particle, name, key, node, context, particles))
+
+
+def _named_vectors(described: Mapping[str, str], key: Scalar, context: LoadContext) -> tuple[str, ...] | None:
+    """Those names of the vectors of a particle or body that no symbol has; None where one clashes (reported)."""
+    taken = [name for name in described if context.names.is_symbol(name)]
+    for name in taken:
+        context.names.report_symbol(name, described[name], key.span)
+    added = [context.names.add(name, what, key.span) for name, what in described.items() if name not in taken]
+    return tuple(name for name in described if name not in taken) if all(added) else None
 
 
 def _read_particle(name: str, key: Scalar, node: Node, context: LoadContext, particles: dict[str, Particle]) -> None:
@@ -468,12 +476,13 @@ def _bodies(root: Section, context: LoadContext, bodies: dict[str, Body]) -> Ite
         body = _BodyBeingRead(name, key, node, context)
         of_position, of_turning = _names_used(node)
         turning = names_of_turning(name, node)
-        named = {f"r_{name}": f"the position of `{name}`", **turning}.items()
-        added = [context.names.add(vector, what, key.span) for vector, what in named]
-        if not all(added):
+        place = f"r_{name}"
+        named = _named_vectors({place: f"the position of `{name}`", **turning}, key, context)
+        if named is None:
             continue
-        yield _Entry(key, tuple(turning), of_turning, partial(_read_turning, body, context, bodies))
-        yield _Entry(key, (f"r_{name}",), of_position, partial(_read_place, body, context, bodies))
+        of_place, of_axes = (tuple(n for n in named if (n == place) == wanted) for wanted in (True, False))
+        yield _Entry(key, of_axes, of_turning, partial(_read_turning, body, context, bodies))
+        yield _Entry(key, of_place, of_position, partial(_read_place, body, context, bodies))
 
 
 def _read_turning(body: _BodyBeingRead, context: LoadContext, bodies: dict[str, Body]) -> None:

@@ -40,7 +40,7 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span, suggestion
 from lagrange.core.records import record
-from lagrange.core.symbols import base, t
+from lagrange.core.symbols import UnitSymbol, base, t
 from lagrange.core.units import Dimension, Unit, si_unit, split_number, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import EquationRead, Value, read_scalar, read_value
@@ -49,7 +49,7 @@ from lagrange.problem import keys
 from lagrange.problem.constraints import read_constraints
 from lagrange.problem.forces import read_impulses
 from lagrange.problem.limits import MOST_QUESTIONS
-from lagrange.problem.load_context import LoadContext, Namespace, canonical
+from lagrange.problem.load_context import LoadContext, Namespace, canonical, names_in
 from lagrange.problem.model import (
     ENERGY,
     KINETIC_ENERGY,
@@ -141,7 +141,8 @@ def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: I
     measured = measured_in(node.fragment, scope) if isinstance(node, Scalar) else None
     if measured is not None and not measured.names:
         return InitialValue(symbol, measured.number, key.span, measured)
-    value = context.scalar(node, f"the {at.value} of `{symbol}`", CONSTANT, scope)
+    what = f"the {at.value} of `{symbol}`"
+    value = context.scalar(node, what, CONSTANT, _with_units(scalar_of(node, what).fragment, scope))
     return InitialValue(symbol, value, key.span, measured)
 
 
@@ -168,7 +169,8 @@ def _question(key: Scalar, node: Node, context: LoadContext, scope: Scope) -> Qu
     what = f"the question `{key.text}`"
     section = Section(mapping_of(node, what, _EXAMPLE), what, keys.QUESTION, context.diagnostics)
     asked = section.required("quantity", key.span)
-    value = context.scalar(asked, f"the quantity of {what}", STATE, scope)
+    written = scalar_of(asked, f"the quantity of {what}").fragment
+    value = context.scalar(asked, f"the quantity of {what}", STATE, _with_units(written, scope))
     if value.free_symbols == set():
         message = f"{what} asks for a number"
         help_ = "ask for a coordinate, a velocity, a force, a parameter, or an expression in these"
@@ -179,7 +181,7 @@ def _question(key: Scalar, node: Node, context: LoadContext, scope: Scope) -> Qu
     conditions = () if when is None else _conditions(when, what, context, scope)
     if name is None:
         raise ProblemError(())
-    return Question(name, value, scalar_of(asked, "`quantity`").fragment, conditions, variable, key.span)
+    return Question(name, value, written, conditions, variable, key.span)
 
 
 def _conditions(node: Node, what: str, context: LoadContext, scope: Scope) -> tuple[Condition, ...]:
@@ -229,7 +231,7 @@ def _sides(fragment: Fragment, what: str, context: LoadContext, scope: Scope) ->
         value = context.read_quietly(read_value, quantity, scope, [])
         context.check(EquationRead(value, sp.S.Zero), quantity, f"the `when` of {what}", STATE)
         return value, measured.number, measured
-    equation = context.equation(fragment, scope)
+    equation = context.equation(fragment, _with_units(fragment, scope))
     context.check(equation, fragment, f"the `when` of {what}", STATE)
     return equation.lhs, equation.rhs, measured
 
@@ -328,23 +330,65 @@ def _restitution(node: Node | None, context: LoadContext, declared: list[str]) -
 # Question units
 
 
+_NUMBERS_WITH_UNITS = re.compile(
+    r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?P<unit>(?:\s*[*·⋅/]?\s*[^\W\d]\w*(?:\s*\^\s*-?\d+|[²³])?)+)"
+)
+
+
+def _with_units(fragment: Fragment, scope: Scope) -> Scope:
+    """The scope with the units that follow numbers in an expression, as symbols: km of `R + 500 km`.
+
+    A name of the file is that name. Behind a division a number with its unit would be read as a quotient and a factor,
+    R/5 times km, so that no unit is found there.
+    """
+    units: list[str] = []
+    for number in _NUMBERS_WITH_UNITS.finditer(fragment.text):
+        if re.search(r"(?:[^\d.\s]\s*/|\^|\*\*)\s*$", fragment.text[: number.start()]):
+            continue
+        for name in re.findall(r"[^\W\d]\w*", number["unit"]):
+            if name in scope.names() or unit_of(name) is None:
+                break
+            units.append(name)
+    everywhere = names_in(fragment.text)
+    found = {name: UnitSymbol(name, positive=True) for name in units if everywhere.count(name) == units.count(name)}
+    found.pop("deg", None)  # degrees after a number belong to the language
+    return replace(scope, scalars={**scope.scalars, **found}) if found else scope
+
+
+def _in_si(e: sp.Expr) -> sp.Expr:
+    """The expression, each unit replaced by its number in SI units."""
+    units = {u: unit.factor for u in e.atoms(UnitSymbol) if (unit := unit_of(u.name)) is not None}
+    return e.xreplace(units)
+
+
+def _units_in(e: sp.Expr) -> dict[sp.Symbol, Dimension]:
+    return {u: unit.dimension for u in e.atoms(UnitSymbol) if (unit := unit_of(u.name)) is not None}
+
+
 Known = Mapping[sp.Symbol, Dimension]
 Note = Callable[[Diagnostic], None]
 TermWithUnit = tuple[sp.Expr | str, Dimension]
 
 
 def with_dimensions_compared(problem: Problem, note: Note) -> Problem:
-    """The problem, with each `2 m` read as its place demands. Raises ProblemError if two sides cannot be equal."""
+    """The problem, with each `2 m` read as its place demands, and units as numbers.
+
+    Raises ProblemError if two sides cannot be equal.
+    """
     before = () if problem.impact is None else problem.impact.before
     conditions = [c for q in problem.questions for c in q.when]
     stated: list[InitialValue | Condition] = [*problem.initial, *before, *conditions]
     units = [*(p.unit for p in problem.parameters), *(q.unit for q in problem.coordinates)]
-    if not (stated or problem.questions) or not (any(s.measured for s in stated) or any(units)):
+    values = [v.value for v in (*problem.initial, *before)] + [side for c in conditions for side in (c.lhs, c.rhs)]
+    within: dict[sp.Symbol, Dimension] = {}
+    for e in (*values, *(q.quantity for q in problem.questions)):
+        within |= _units_in(e)
+    if not (stated or problem.questions) or not (any(s.measured for s in stated) or any(units) or within):
         return problem
     energy = unit_of("J")
     assert energy is not None
     energies = dict.fromkeys((KINETIC_ENERGY, ENERGY), energy.dimension)
-    reader = _Reader({**energies, **known_dimensions(problem)}, note)
+    reader = _Reader({**energies, **known_dimensions(problem), **within}, note)
     initial = tuple(reader.value(v) for v in problem.initial)
     questions = tuple(reader.question(q) for q in problem.questions)
     impact = problem.impact
@@ -367,16 +411,16 @@ class _Reader:
         """An initial value."""
         what = f"the value of `{stated.symbol}`"
         value = self._compared(stated.symbol, stated.value, stated.measured, stated.span, what)
-        return replace(stated, value=value)
+        return replace(stated, value=_in_si(value))
 
     def question(self, asked: Question) -> Question:
         """The conditions of a question, and the terms of its quantity."""
         self._compared(asked.quantity, sp.S.Zero, None, asked.span, "a term of the quantity")
-        return replace(asked, when=tuple(self._condition(c) for c in asked.when))
+        return replace(asked, quantity=_in_si(asked.quantity), when=tuple(self._condition(c) for c in asked.when))
 
     def _condition(self, stated: Condition) -> Condition:
         value = self._compared(stated.lhs, stated.rhs, stated.measured, stated.span, "a side of this equation")
-        return replace(stated, rhs=value)
+        return replace(stated, lhs=_in_si(stated.lhs), rhs=_in_si(value))
 
     def _compared(self, left: sp.Expr, right: sp.Expr, measured: Measured | None, span: Span, what: str) -> sp.Expr:
         """The right side, in the reading that fits the left."""
@@ -415,7 +459,8 @@ def _terms(e: sp.Expr, known: Known) -> Iterator[TermWithUnit]:
 
     for term in sp.Add.make_args(e):
         number = term.as_coeff_Mul()[0]
-        if term.is_number or not number.is_Rational or abs(number.p) > LARGEST_COEFFICIENT:
+        hides_unit = not number.is_Rational or abs(number.p) > LARGEST_COEFFICIENT
+        if term.is_number or (hides_unit and not term.has(UnitSymbol)):
             continue
         unit = dimension(term, known)
         if unit is not None:

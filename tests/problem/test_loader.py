@@ -243,7 +243,7 @@ HELPS = {
     "title: T\nparameters: {m: negative}\ncoordinates: [x]": "minus",
     "title: T\nparameters: {a: 30 degg}\ncoordinates: [x]": "did you mean `deg`?",
     HEAD + "constraints: {a: x = 4 ft}": "`parameters: {a: {value: 4 ft}}`",
-    "title: T\nparameters: [r_P]\ncoordinates: [x]\nparticles: {P: {position: r_P*i}}": "`r_P` always is the position",
+    "title: T\ncoordinates: [x]\nlet: {r_P: x*i}\nparticles: {P: {position: x*i}}": "`r_P` always is the position",
     HEAD
     + "constraints: {a: {equation: x = q, reaction: N}}\nask: {b: {quantity: N}}\nanswers: {ask: {b: 3}}": "declared",
     ALL + "forces: {a: {static: m, constraint: s, on: P}}": "add `friction: mu`",

@@ -37,6 +37,25 @@ def test_particles() -> None:
     assert problem.particles[3].position == vector(x, y + l, 0)
 
 
+def test_the_radius_of_a_gear_may_have_the_name_of_its_position() -> None:
+    """A parameter or coordinate keeps its name, and the vector has none; a note says so."""
+    problem = read(
+        "title: T\nparameters: [m, r_P, omega_B]\ncoordinates: [x, r_B, theta]\n"
+        "particles: {P: {mass: m, position: r_P*i + x*j}, Q: {mass: m, position: r_Q0}}\n"
+        "bodies: {B: {mass: m, inertia: m*r_P^2, position: r_B*i, angle: theta}}\nlet: {r_Q0: r_P*r_B*e1_B}\n"
+    )
+    r_p, r_b = sp.Symbol("r_P", positive=True), sp.Symbol("r_B", real=True)
+    assert problem.particles[0].position == vector(r_p, x, 0)
+    assert problem.bodies[0].position == vector(r_b, 0, 0)
+    assert not {"r_P", "r_B", "omega_B"} & {*problem.scope.vectors}
+    assert {"r_Q", "e1_B"} <= {*problem.scope.vectors}
+    assert [d.message for d in problem.notes if d.code == "read-as"] == [
+        "`r_P` is a parameter here, and not the position of `P`",
+        "`r_B` is a coordinate here, and not the position of `B`",
+        "`omega_B` is a parameter here, and not the angular velocity of `B`",
+    ]
+
+
 def test_bodies() -> None:
     problem = read(
         HEAD + "let: {e1: cos(theta)*i + sin(theta)*j, e2: -sin(theta)*i + cos(theta)*j}\nbodies:\n"

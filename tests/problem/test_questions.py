@@ -160,6 +160,38 @@ def test_the_dimension_says_whether_a_letter_is_a_unit(problem: Callable[[str], 
     assert "`2*m`" in error.value.diagnostics[0].help
 
 
+def test_a_number_with_a_unit_is_a_term_of_an_expression(problem: Callable[[str], Problem]) -> None:
+    text = """
+initial: {x: l + 20 cm, y: "3 km/h*tau"}
+ask:
+  one: {quantity: x - 2.5 cm, when: [y + 1 mm = l/2, "y' = v + 2 km/h"]}
+"""
+    read = problem(START_QUESTION_UNITS + text)
+    [one] = read.questions
+    assert [str(v.value) for v in read.initial] == ["l + 1/5", "5*tau/6"]
+    assert [str(one.quantity), *(str(c.function) for c in one.when)] == [
+        "x - 1/40",
+        "-l/2 + y + 1/1000",
+        "-v + y' - 5/9",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("value", "code"),
+    [
+        ("l + 20 kg", "unit-mismatch"),
+        ("l + 2000 kg", "unit-mismatch"),  # a large bare number may hide a unit, this does not
+        ("l/20 cm", "unknown-symbol"),  # (l/20) cm
+        ("cm + l", "unknown-symbol"),  # not behind a number
+        ("l + 2 cm + l*cm", "unknown-symbol"),
+    ],
+)
+def test_a_term_with_a_unit_is_judged(value: str, code: str, problem: Callable[[str], Problem]) -> None:
+    with pytest.raises(ProblemError) as error:
+        problem(f"{START_QUESTION_UNITS}initial: {{x: {value}}}\n")
+    assert [d.code for d in error.value.diagnostics] == [code]
+
+
 def test_where_a_number_with_a_unit_belongs(problem: Callable[[str], Problem]) -> None:
     with pytest.raises(ProblemError) as error:
         problem(START_QUESTION_UNITS.replace("mass: m", "mass: 2 kg"))

@@ -86,9 +86,11 @@ class Reals:
         raise InadmissibleError
 
     def root(self, x: Any) -> Any:
-        """√x. Raises InadmissibleError."""
-        if x >= 0:
+        """√x. Raises InadmissibleError, also where x is rounding: 10^-80 has the root 10^-40, which is not zero."""
+        if x == 0 or x >= _TINY:
             return _mp.sqrt(x)
+        if x > 0:
+            raise InadmissibleError
         if self.vanishes(x):
             return _mp.mpf(0)
         raise InadmissibleError
@@ -258,7 +260,9 @@ def _growth(point: RealPoint, v: list[Any], data: Any) -> Any:
 def _function(_: RealPoint, v: list[Any], data: Any) -> Any:
     name, needs = data
     first = v[needs[0]]
-    if (name == "log" and first <= 0) or (name in ("asin", "acos") and abs(first) > 1):
+    if name == "log" and first <= 0:
+        raise InadmissibleError
+    if name in ("asin", "acos") and 1 - abs(first) < _TINY:  # beside ±1 rounding is magnified as by a root
         raise InadmissibleError
     return getattr(_mp, name)(*[v[n] for n in needs])
 

@@ -363,7 +363,9 @@ class AskedClaim:
             return self._of_expression(stated) if stated is not None else (Verdict.UNDECIDED, UNDECIDED)
         by_branch: list[list[bool | None]] = []
         for b in self.asked.branches:
-            residuals = [claim.xreplace(s).xreplace(self.values) for s in self._states(b.values, b.states)]
+            residuals = [
+                _without_half_angles(claim.xreplace(s)).xreplace(self.values) for s in self._states(b.values, b.states)
+            ]
             by_branch.append([None if self._is_open(e) else _vanishes(e) for e in residuals])
         holds = [h for each in by_branch for h in each]
         if not holds or None in holds:
@@ -440,6 +442,19 @@ def _with_functions(state: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Expr, sp.Expr
         if pair[0] is not None and pair[1] not in (None, 0):
             rule[sp.tan(q)] = pair[0] / pair[1]
     return rule
+
+
+def _without_half_angles(e: sp.Expr) -> sp.Expr:
+    """The expression with the functions of halves of angles acos u as roots: sin(acos(u)/2) = sqrt((1 - u)/2)."""
+    rule: dict[sp.Expr, sp.Expr] = {}
+    for wave in e.atoms(*CIRCULAR):
+        factor, angle = wave.args[0].as_coeff_Mul()
+        if abs(factor) == sp.Rational(1, 2) and isinstance(angle, sp.acos):
+            below, above = (sp.sqrt(sp.together((1 + sign * angle.args[0]) / 2)) for sign in (-1, 1))
+            sine = below if factor > 0 else -below
+            values = {sp.sin: sine, sp.cos: above, sp.tan: sine / above, sp.cot: above / sine}
+            rule |= {wave: values[type(wave)]} if type(wave) in values else {}
+    return e.xreplace(rule)
 
 
 def _parted_logarithms(e: sp.Expr) -> sp.Expr:

@@ -249,6 +249,8 @@ def asked_in_text(
             name, verdict = _explained(fragment, judged, solution)
             answered |= {*named} if len(named) == 1 else set()
             parts.append(_part(fragment, name, verdict))
+        elif open_ := [(name, v) for name, v in compared if v.verdict is Verdict.UNDECIDED and name in named]:
+            parts.append(_part(fragment, *open_[0]))  # as an equation of motion it would be wrong
         else:
             rest.append(fragment)
     missing = tuple(a.question.name for a in questions if a.question.name not in answered)

@@ -49,6 +49,18 @@ class Arrivals:
     quantity: sp.Expr
     question: Question
 
+    def at_the_start(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
+        """The initial state, where the conditions hold there and at no later time: the force on the crest of a hill."""
+        values = []
+        for b in branches:
+            known = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
+            start = {s: v.xreplace(known) for s, v in self.setting.initial.items()}
+            beginning = replace(self.beginning, initial=start)
+            states = [s for s in b.states if beginning.is_initial(s)]
+            if states and not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1):
+                values.append(b.at(states))
+        return values
+
     def reached(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
         """The branches to which the motion gets, with the conditions of that; a doubt stays with the branch.
 

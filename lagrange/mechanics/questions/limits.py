@@ -58,3 +58,6 @@ SHARE_DIGITS = 6
 
 CLOSE = 1e-6
 """The relative difference up to which an exact value is that of an integration."""
+
+STEPS_OF_HALF_TURN = 2000
+"""The steps in which a place is looked for along an angle, from an unstable equilibrium."""

@@ -4,6 +4,9 @@ Where all parameters have values and the initial state is given, q'' = a(q, q', 
 zero of the condition is located in the step in which its sign changes (scipy's `solve_ivp` with events, in the extra
 `sim`). A condition that only touches zero is not seen. The search ends after the longest of the horizons. Of several
 exact answers it finds that which comes first, where nothing else has decided that.
+
+From rest in an unstable equilibrium nothing moves in such an integration. There the first integrals give the condition
+as a function of one coordinate alone, whose zero nearest to the start is found by bisection; without the extra.
 """
 
 from __future__ import annotations
@@ -15,8 +18,15 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.core.symbols import t
-from lagrange.mechanics.questions.limits import CLOSE, HORIZONS, LARGEST_DRIFT, MOST_EVALUATIONS, SMALLEST_TIME
+from lagrange.core.symbols import prime, t
+from lagrange.mechanics.questions.limits import (
+    CLOSE,
+    HORIZONS,
+    LARGEST_DRIFT,
+    MOST_EVALUATIONS,
+    SMALLEST_TIME,
+    STEPS_OF_HALF_TURN,
+)
 from lagrange.mechanics.questions.results import AnswerBranch
 from lagrange.mechanics.questions.setting import Setting
 
@@ -56,6 +66,81 @@ def first_of_motion(setting: Setting, condition: sp.Expr, quantity: sp.Expr) -> 
         quantity.xreplace(values),
         [f.xreplace(values) for f in configuration.finite_constraints],
     )
+
+
+def first_from_equilibrium(
+    setting: Setting,
+    condition: sp.Expr,
+    quantity: sp.Expr,
+    along: Callable[[sp.Symbol, sp.Expr], Sequence[AnswerBranch]],
+) -> float | None:
+    """The same for a motion from an unstable equilibrium, in which nothing moves in an integration over time.
+
+    along  an expression as a function of one coordinate alone, by the first integrals
+    """
+    start, slots = dict(setting.initial), setting.place.configuration.slots
+    at_rest = all(start[v] == 0 for v in slots.velocities)
+    if not at_rest or any(sp.expand(e.xreplace(start)) != 0 for e in setting.known.accelerations.values()):
+        return None
+    for q in slots.coordinates:
+        square = setting.square_of(q)
+        values = [v for b in along(q, condition) for v in b.values] if square is not None else []
+        functions = [e.xreplace(dict(setting.values)) for e in (*values, square) if e is not None]
+        place = nearest_place(q, start[q], functions[0], functions[1]) if len(values) == 1 else None
+        if place is not None:
+            return place if quantity == q else _value_at(along(q, quantity), q, place, setting.values)
+    return None
+
+
+def nearest_place(q: sp.Symbol, start: sp.Expr, condition: sp.Expr, square: sp.Expr) -> float | None:
+    """The place nearest to an unstable equilibrium, to either side, where a condition is zero; `square` is q'^2.
+
+    None where the two sides differ, or where none is found within half a turn. Both are functions of q alone.
+    """
+    try:
+        origin = float(start)
+        functions = _functions([condition, square], (q,))
+        there = [_place_along(functions, origin, side) for side in (1, -1)]
+    except (_UnknownError, TypeError, ValueError, ZeroDivisionError, OverflowError):
+        return None
+    above, below = there
+    return above if above is not None and below is not None and abs(above + below - 2 * origin) < CLOSE else None
+
+
+def _value_at(
+    branches: Sequence[AnswerBranch], q: sp.Symbol, place: float, values: Mapping[sp.Symbol, sp.Expr]
+) -> float | None:
+    """The value of a function of q at a place, of two the one with which q grows."""
+
+    def number(e: sp.Expr) -> float:
+        found = sp.N(e.xreplace(dict(values)).xreplace({q: sp.Float(place, 17)}), 15)
+        return float(sp.re(found)) if abs(sp.im(found)) < CLOSE else math.nan
+
+    growing = [b for b in branches if any(number(s.get(prime(q), sp.S.Zero)) > 0 for s in b.states)]
+    found = {number(v) for b in (growing if len(branches) > 1 else branches) for v in b.values}
+    return found.pop() if len(found) == 1 else None
+
+
+def _place_along(functions: Callable[[Sequence[float]], list[float]], origin: float, side: int) -> float | None:
+    """The first zero of the first function on one side, the second function, a square, being positive before it."""
+    step = side * math.pi / STEPS_OF_HALF_TURN
+    before, here = origin, origin
+    for _ in range(STEPS_OF_HALF_TURN):
+        before, here = here, here + step
+        value, square = functions([here])[:2]
+        if square <= 0:
+            return None
+        if value * functions([before])[0] <= 0:
+            return _bisected(lambda x: functions([x])[0], before, here)
+    return None
+
+
+def _bisected(function: Callable[[float], float], low: float, high: float) -> float:
+    sign = function(low)
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if function(middle) * sign > 0 else (low, middle)
+    return (low + high) / 2
 
 
 def those_with(

@@ -138,6 +138,7 @@ class _Search:
         rather_not = {*mentioned(question), *occurring, *map(prime, occurring)}
         self.rule = setting.dependent(rather_not, question.by)
         self.kept_senses = kept_senses(self.when, setting)
+        self.adapted = setting.adapted([e.xreplace(self.rule) for e in self.when]) if self.parameter is None else None
 
     def _meanings(self) -> Meanings:
         """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
@@ -208,14 +209,24 @@ class _Search:
         """The answer at the first time at which the condition holds, in numbers; None where values are missing."""
         if not self._has_numbers:
             return None
+        stated = self.question.when[0].function, self.question.quantity
+        if (value := numerical.first_from_equilibrium(self.setting, *stated, self._along)) is not None:
+            return replace(self._in_digits(value), integrals=tuple(self.setting.integrals), mirrored=True)
         if not numerical.is_available():
             return replace(self._asked(Route.NUMBERS), needs=numerical.EXTRA)
         value = numerical.first_of_motion(self.setting, self.when[0], self.quantity)
-        if value is None:
-            return None
-        number = sp.Float(value, 6)
-        branch = AnswerBranch(self.question.quantity, number, (number,))
+        return None if value is None else self._in_digits(value)
+
+    def _in_digits(self, value: float) -> Asked:
+        branch = AnswerBranch(self.question.quantity, sp.Float(value, 6), (sp.Float(value, 6),))
         return replace(self._asked(Route.NUMBERS, How.NUMERICAL, ()), branches=(branch,), verified=None)
+
+    def _along(self, q: sp.Symbol, e: sp.Expr) -> Sequence[AnswerBranch]:
+        """An expression as a function of one coordinate alone, by the integrals."""
+        try:
+            return _Search(replace(self.question, quantity=e, when=(), by=q), self.setting).answer().branches
+        except ProblemError:
+            return ()
 
     @property
     def _has_numbers(self) -> bool:
@@ -256,8 +267,7 @@ class _Search:
         moving = {*self.slots.velocities, *self.slots.coordinates}
         unknowns = [s for s in self.place.moving if s != self.question.by and s not in self.rule]
         unknowns.sort(key=lambda s: s not in self.slots.velocities)
-        if self.parameter is not None:
-            unknowns.append(self.parameter)
+        unknowns += [s for s in (self.parameter, self.adapted) if s is not None]
         velocities = [v for v in self.slots.velocities if v in unknowns]
         quantity = self.quantity.xreplace(self.rule)
         elimination = eliminated(equations, quantity, unknowns, velocities, self.question.quantity)
@@ -289,7 +299,7 @@ class _Search:
         if self.question.by is None and self.setting.initial and not self._is_at_start:
             asked = (tuple(self.when), self.parameter, self.quantity, self.question)
             on_the_way = arrivals.Arrivals(self.setting, self._beginning, self.rule, *asked)
-            branches = on_the_way.reached(branches) or self._at_the_start(lasting)
+            branches = on_the_way.reached(branches) or on_the_way.at_the_start(lasting)
         if not branches:
             raise ProblemError(never_holds(self.question))
         if self._is_at_start:
@@ -311,18 +321,6 @@ class _Search:
             mirrored=chosen.mirrored,
             verified=elimination.verified,
         )
-
-    def _at_the_start(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
-        """The initial state, where the conditions hold there and at no later time: the force on the crest of a hill."""
-        values = []
-        for b in branches:
-            known = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
-            start = {s: v.xreplace(known) for s, v in self.setting.initial.items()}
-            beginning = replace(self._beginning, initial=start)
-            states = [s for s in b.states if beginning.is_initial(s)]
-            if states and not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1):
-                values.append(b.at(states))
-        return values
 
     def _confirmed_in_time(self, branches: list[AnswerBranch]) -> list[AnswerBranch]:
         """The branch without a doubt to whose value the solution in time comes; all where none is seen to be that."""

@@ -114,6 +114,13 @@ class Setting:
         [value] = values
         return value if value.free_symbols.isdisjoint(moving) else None
 
+    def adapted(self, when: Sequence[sp.Expr]) -> sp.Symbol | None:
+        """The one parameter without a value, where conditions are about parameters: the force at which a crate tips."""
+        named = {s for e in when for s in e.free_symbols}
+        left = named - self.values.keys()
+        is_one = len(left) == 1 and len(named) > 1 and left <= {p.symbol for p in self.problem.parameters}
+        return next(iter(left)) if is_one else None
+
     @cached_property
     def fixed(self) -> SymbolValues:
         """The coordinates that the constraints hold where they are at t = 0, and their velocities."""

@@ -31,6 +31,7 @@ from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
+from lagrange.mechanics.equilibrium.friction.balance import held_coordinates
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_TOGETHER
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem, Question
 
@@ -196,13 +197,18 @@ def places_stated(question: Question, slots: Slots) -> dict[sp.Symbol, sp.Expr]:
 
 
 def fixed_coordinates(place: MotionView, initial: SymbolValues) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates whose velocity the constraints keep zero, with their initial values, and these velocities."""
+    """The coordinates whose velocity the constraints keep zero, with their initial values, and these velocities.
+
+    Where `initial` says nothing about the position in which they are held, angles are 0 there, as in statics.
+    """
     configuration = place.configuration
     slots = configuration.slots
     rows = [list(r.coefficients) for r in configuration.rows if r.nonlinear is None and r.drift == 0]
     if not rows or len(rows) < len(configuration.rows):
         return {}
     fixed: dict[sp.Symbol, sp.Expr] = {}
+    held = held_coordinates(configuration) if {*initial}.isdisjoint(_kept(configuration)) else {}
+    initial = {**held, **initial}
     try:
         before = configuration.states.rank(rows)
         for n, (q, v) in enumerate(zip(slots.coordinates, slots.velocities, strict=True)):
@@ -212,6 +218,11 @@ def fixed_coordinates(place: MotionView, initial: SymbolValues) -> dict[sp.Symbo
     except DivisionByZeroError:
         return {}
     return fixed
+
+
+def _kept(configuration: Configuration) -> set[sp.Symbol]:
+    """The coordinates in the finite constraints."""
+    return set().union(*(f.free_symbols for f in configuration.finite_constraints)) & {*configuration.slots.coordinates}
 
 
 def held_in_place(known: Meanings, fixed: SymbolValues) -> Meanings:

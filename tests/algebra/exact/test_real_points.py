@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from random import Random
+
 import pytest
 import sympy as sp
 
-from lagrange.algebra.exact.real_points import _rough_step, _smallest_step
+from lagrange.algebra.exact.real_points import Reals, _rough_step, _smallest_step
 from lagrange.algebra.exact.zero_test import InadmissibleError, Point, Surface
 from lagrange.core.symbols import Sign
 from tests.support.points import close, real_point
@@ -52,3 +54,14 @@ def test_a_rough_step_is_the_smallest_one_in_sixteen_digits() -> None:
     assert [float(x) for x in rough] == pytest.approx([float(x) for x in exact])
     assert _rough_step([*rows[:5], rows[0]], off) is None
     assert _rough_step(rows[:5], off[:5]) is None
+
+
+def test_rounding_is_not_magnified_into_what_is_not_zero() -> None:
+    """Where v is 10^-78, √(1/2 − √(1 − v²/4)/2) is 10^-41 by rounding, and so is acos(1 − v²/2): no such point counts."""
+    reals = Reals(Random(1))
+    with pytest.raises(InadmissibleError):
+        reals.root(reals.number(1, 10**70))
+    assert reals.root(reals.number(0)) == 0
+    v = sp.Symbol("v", positive=True)
+    halved = sp.sin(sp.acos(1 - v**2 / 2) / 4) - sp.sqrt(sp.Rational(1, 2) - sp.sqrt(4 - v**2) / 4)
+    assert {Surface().is_zero(halved) for _ in range(3)} == {None}

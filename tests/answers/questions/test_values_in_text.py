@@ -71,6 +71,11 @@ def test_a_note_for_each_line() -> None:
     [
         ("leaving-a-sphere", ["cos(theta) = 2/3"], "incomplete"),
         ("leaving-a-sphere", ["cos(theta) = 1/3"], "wrong"),
+        (
+            "over-the-top",
+            ["sin(theta/4)^2 = 1/2 - sqrt(4*g*l - v^2)/(4*sqrt(g*l))"],
+            "undecided",
+        ),  # no equation of motion
         ("thrown-stone", ["range = v^2*sin(2*alpha)/g"], "incomplete"),
         ("thrown-stone", ["height = v^2*sin(alpha)^2/2 g"], "incomplete"),
         ("thrown-stone", ["height = v^2*sin(alpha)^2/3 g"], "wrong"),

@@ -88,3 +88,30 @@ def test_of_several_exact_answers_that_which_comes_first_is_found(problem: Read)
     by_hand = -r * w * math.sin(angle) * (1 + r * math.cos(angle) / math.sqrt(l**2 - (r * math.sin(angle)) ** 2))
     values = {s: sp.Rational(str(v)) for s, v in zip(sp.symbols("r l w", positive=True), (r, l, w), strict=True)}
     assert float(branch.rhs.xreplace(values)) == pytest.approx(by_hand)
+
+
+HEMISPHERE = """
+title: A particle slides off a hemisphere that can move
+parameters: {m: 1 kg, M: 1 kg, R: 1 m, g: 9.81 m/s^2}
+coordinates: [X, theta]
+particles: {H: {mass: M, position: X*i}, P: {mass: m, position: X*i + R*sin(theta)*i + R*cos(theta)*j}}
+gravity: -g*j
+initial: {X: 0, X': 0, theta: 0, theta': 0}
+ask: {it: {quantity: "X'", when: "g*cos(theta) = R*theta'^2"}}
+"""
+
+
+def test_from_an_unstable_equilibrium_the_integrals_lead_to_the_state(problem: Read) -> None:
+    """For equal masses contact ends where c³ − 6 c + 4 = 0, c = √3 − 1, with θ'² = 4 g (1 − c)/(R (2 − c²))."""
+    answer = asked(problem, HEMISPHERE)
+    cosine = math.sqrt(3) - 1
+    rate = math.sqrt(4 * 9.81 * (1 - cosine) / (2 - cosine**2))
+    assert (answer.how, answer.mirrored) == (How.NUMERICAL, True)
+    assert float(answer.branches[0].rhs) == pytest.approx(-rate * cosine / 2, rel=1e-5)
+
+
+def test_the_two_sides_of_an_equilibrium_must_agree() -> None:
+    q, square = sp.Symbol("q", real=True), sp.Float(1)
+    assert numerical.nearest_place(q, sp.S.Zero, sp.cos(q) - sp.Rational(1, 2), square) == pytest.approx(math.pi / 3)
+    assert numerical.nearest_place(q, sp.S.Zero, sp.sin(q) - sp.Rational(1, 2), square) is None
+    assert numerical.nearest_place(q, sp.S.Zero, sp.cos(q) - sp.Rational(1, 2), sp.cos(2 * q)) is None  # out of reach

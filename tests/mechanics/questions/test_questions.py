@@ -346,3 +346,34 @@ ask: {time: {quantity: t, when: x = -L}}
 """
     [asked] = solve(problem(text)).asked
     assert not asked.branches
+
+
+CRATE = """
+title: Crate pushed over a rough floor
+parameters: {m: 50 kg, g: 10 m/s^2, mu: 0.2, w: 0.8 m, h: 1.2 m, c: 1 m, P: N}
+coordinates: [x, y, theta]
+let: {a: -w/2*e1_crate - h/2*e2_crate, b: w/2*e1_crate - h/2*e2_crate}
+bodies: {crate: {mass: m, inertia: m*(w^2 + h^2)/12, position: x*i + y*j, angle: theta}}
+constraints:
+  A: {equation: "dot(r_crate + a, j) >= 0", reaction: N_A}
+  B: {equation: "dot(r_crate + b, j) >= 0", reaction: N_B}
+gravity: -g*j
+forces:
+  push: {on: crate, vector: P*i, at: r_crate + (c - h/2)*j}
+  rub_A: {friction: mu, constraint: A, on: crate, at: r_crate + a, slip: i}
+  rub_B: {friction: mu, constraint: B, on: crate, at: r_crate + b, slip: i}
+ask:
+  force: {quantity: P, when: N_A = 0}
+  acceleration: {quantity: "x''", when: N_A = 0}
+"""
+
+
+def test_a_crate_stands_upright_and_tips_at_one_value_of_the_force(problem: Read) -> None:
+    """The floor holds θ = 0 or π, and 0 is meant; of what is asked for at N = 0 the force without a value is found."""
+    force, acceleration = solve(problem(CRATE)).asked
+    m, g, mu, w, h, c = sp.symbols("m g mu w h c", positive=True)
+    tips = m * g * (w - mu * h) / (2 * c - h)
+    for asked, expected in ((force, tips), (acceleration, tips / m - mu * g)):
+        [b] = asked.branches
+        assert is_zero(b.values[0] - expected)
+        assert not b.provided
