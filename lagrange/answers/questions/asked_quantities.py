@@ -168,9 +168,11 @@ class AskedClaim:
             explained_by_energy,
             explained_value,
         )
+        from lagrange.answers.results.lost_energy import explained_by_lost_energy
         from lagrange.answers.results.motion import (
             explained_at_start,
             explained_balance,
+            explained_by_first_acceleration,
             explained_in_any_state,
             explained_instant,
             explained_uniform,
@@ -197,6 +199,9 @@ class AskedClaim:
             return lost
         if value is not None and (balanced := explained_balance(value, self.asked, self.candidates)):
             return balanced
+        for of_motion in (explained_by_first_acceleration, explained_by_lost_energy) if value is not None else ():
+            if lost := of_motion(value, self.asked, self.candidates):
+                return lost
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how

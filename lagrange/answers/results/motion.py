@@ -132,17 +132,53 @@ def _acceleration(claim: sp.Expr, asked: Asked, motion: Uniform) -> sp.Expr | No
     """The A for which a stated value would be right; None if the question is of another kind."""
     q, v = motion.coordinate, prime(motion.coordinate)
     quantity, place = asked.question.quantity, _place(asked, motion)
-    at_turn = any(sp.expand(c.lhs - c.rhs) in (v, -v) for c in asked.question.when)
+    last = _last_velocity(asked, v)
     if place is not None and quantity in (v, v**2):
         square = claim**2 if quantity == v else claim
         return (square - motion.velocity**2) / (2 * (place - motion.start))
     if place is not None and quantity == t:
         return 2 * (place - motion.start - motion.velocity * claim) / claim**2
-    if at_turn and quantity == q:
-        return -(motion.velocity**2) / (2 * (claim - motion.start))
-    if at_turn and quantity == t:
-        return -motion.velocity / claim
+    if last is not None and quantity == q:
+        return (last**2 - motion.velocity**2) / (2 * (claim - motion.start))
+    if last is not None and quantity == t:
+        return (last - motion.velocity) / claim
     return None
+
+
+def _last_velocity(asked: Asked, v: sp.Symbol) -> sp.Expr | None:
+    """The velocity at which the question is asked; None if `when` is no such event."""
+    for c in asked.question.when:
+        difference = sp.expand(c.lhs - c.rhs)
+        slope = difference.coeff(v)
+        rest = difference - slope * v
+        if slope in (1, -1) and not rest.has(v, base(v), t):
+            return -rest * slope
+    return None
+
+
+def explained_by_first_acceleration(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong speed, time or place is that of a constant acceleration, the one at the start, in a sentence;
+    empty if not."""
+    initial = {s.symbol: s.value for s in asked.initial}
+    for candidate in candidates:
+        slots = candidate.configuration.slots
+        if candidate.choice != asked.choice or candidate.multipliers or len(slots.coordinates) != 1:
+            continue
+        [q], [v], [a] = slots.coordinates, slots.velocities, slots.accelerations
+        if len(candidate.system.equations) != 1 or not {q, v} <= initial.keys():
+            continue
+        [equation] = candidate.system.equations
+        slope, rest = equation.diff(a), equation.xreplace({a: sp.S.Zero})
+        if slope == 0 or slope.has(a) or not (slope.has(q, v) or rest.has(q, v)):
+            continue
+        first = sp.cancel((-rest / slope).xreplace({**initial, t: sp.S.Zero}))
+        parameters = (slope.free_symbols | rest.free_symbols) - {q, v, t}
+        if not parameters <= first.free_symbols | slope.free_symbols:
+            continue  # a force that vanishes at the start is left out, rather than taken as constant
+        stated = _acceleration(claim, asked, Uniform(q, initial[q], initial[v], first))
+        if first != 0 and stated is not None and is_zero(stated - first) is True:
+            return "the acceleration at the start is taken as constant, and it changes"
+    return ""
 
 
 def _of_models(stated: sp.Expr, q: sp.Symbol, candidate: ReferenceCandidate) -> Iterator[str]:

@@ -57,3 +57,20 @@ WRONG_INSTANTS: list[Row] = [
 @pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG_INSTANTS)
 def test_times_places_and_motions(problem: str, key: str, stated: object, said: str) -> None:
     assert_explained(problem, key, stated, said)
+
+
+# The acceleration at the start
+
+
+FIRST = "the acceleration at the start is taken as constant, and it changes"
+OF_THE_START: list[Row] = [
+    ("boat-that-drifts", "ask", {"in_all": "m*v/(2*b)"}, FIRST),
+    ("boat-that-drifts", "ask", {"half": "m/(2*b)"}, FIRST),
+    ("stone-in-linear-drag", "ask", {"time": "v/(g + c*v/m)"}, FIRST),
+    ("fall-through-air", "ask", {"speed": "sqrt(2*g*h)"}, "without c, as if c = 0"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), OF_THE_START)
+def test_an_acceleration_taken_as_constant(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
