@@ -296,15 +296,20 @@ def components_exchanged(m: Mechanics) -> Iterator[Variation]:
     """Sine and cosine exchanged where forces are resolved into components."""
     for kind in (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE):
         forces = m.of_kind(kind)
+        names = {f.name for f in forces}
+        loads = [load for load in m.configuration.loads if load.name in names]
+        resolved = any(c.has(sp.sin, sp.cos) for load in loads for c in load.vector.fixed().components)
+        where = "components" if resolved else "lever arm"
         for group in (forces, *([f] for f in forces if len(forces) > 1)):
             changed = {f: tuple(_with_waves_exchanged(s) for s in f.shares) for f in group}
             if all(shares == f.shares for f, shares in changed.items()):
                 continue
             what = "weight" if kind is AppliedForceKind.WEIGHT else "force"
             of = ", ".join(name_of(f) for f in group) if len(forces) > 1 and len(group) == 1 else f"the {what}"
-            clause = f"with sine and cosine exchanged in the components of {of}"
+            clause = f"with sine and cosine exchanged in the {where} of {of}"
             system = m.force(lambda f, c=changed: replace(f, shares=c[f]) if f in c else f)  # type: ignore[misc]
-            yield Variation(clause, f"how {of} is resolved into components", system)
+            place = f"how {of} is resolved into components" if resolved else f"the lever arm of {of}"
+            yield Variation(clause, place, system)
 
 
 def _with_waves_exchanged(share: sp.Expr) -> sp.Expr:
