@@ -96,16 +96,36 @@ def gravity_left_out(m: Mechanics) -> Iterator[Variation]:
 
 def friction_reversed(m: Mechanics) -> Iterator[Variation]:
     """Friction acts the other way: with the motion."""
-    yield from _all_and_each(
-        m, m.of_kind(AppliedForceKind.FRICTION), sp.S.NegativeOne, "for {} acting the other way", "the sign of {}"
-    )
+    for system in (m, *_with_open_normal_forces(m)):
+        forces = system.of_kind(AppliedForceKind.FRICTION)
+        yield from _all_and_each(system, forces, sp.S.NegativeOne, "for {} acting the other way", "the sign of {}")
 
 
 def friction_left_out(m: Mechanics) -> Iterator[Variation]:
     """Friction is omitted."""
-    yield from _all_and_each(
-        m, m.of_kind(AppliedForceKind.FRICTION), sp.S.Zero, "without {}", "the forces: is {} there"
-    )
+    for system in (m, *_with_open_normal_forces(m)):
+        forces = system.of_kind(AppliedForceKind.FRICTION)
+        yield from _all_and_each(system, forces, sp.S.Zero, "without {}", "the forces: is {} there")
+
+
+def _with_open_normal_forces(m: Mechanics) -> Iterator[Mechanics]:
+    """The system with friction proportional to unknown normal forces: one that is changed changes the others."""
+    rows = [row.name for row in m.configuration.rows]
+    if len(m.frictions) < 2 or len(rows) != len(m.multipliers):
+        return
+    shares = {}
+    for f in m.frictions:
+        if f.also or f.reaction.name not in rows or not f.contact.is_number:
+            return
+        force = f.share * m.multipliers[rows.index(f.reaction.name)]
+        loads = [Load(f.friction.name, f.friction.on, force, f.point)]
+        loads += [] if f.beside is None else [Load(f.friction.name, f.opposite, -force, f.beside)]
+        for load in loads:
+            own = tuple(share_of_load(load, v, m.configuration) for v in m.slots.velocities)
+            shares[load.name, load.on] = own
+    friction = AppliedForceKind.FRICTION
+    if {*shares} == {(g.name, g.on[0]) for g in m.of_kind(friction)}:
+        yield m.force(lambda g: replace(g, shares=shares[g.name, g.on[0]]) if g.kind is friction else g)
 
 
 def potential_reversed(m: Mechanics) -> Iterator[Variation]:

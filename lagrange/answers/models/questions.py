@@ -439,7 +439,9 @@ def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
     if above.is_number and below.is_number and 1 not in (above**2, below**2):
         return  # some other number: no factor was forgotten
     parts = [f"a factor {_written(below)} is missing"] if below not in (1, -1) else []
-    parts += [f"there is a factor {_written(above)} too many"] if above not in (1, -1) else []
+    if above not in (1, -1):
+        there = above.free_symbols <= stated.free_symbols
+        parts.append(f"there is a factor {_written(above)} too many" if there else f"no division by {_written(above)}")
     if parts and stated != -term:
         yield f"{' and '.join(parts)} in the term {_written(_unsigned(stated))}"
 

@@ -166,8 +166,11 @@ class Resting:
                     continue
                 if changed.forces == m.forces and not self._driven(changed.inertias):
                     continue
-                if model.name == _OTHER_FACTOR and (variation := self._of_known_forces(variation, m)) is None:
-                    continue
+                if model.name == _OTHER_FACTOR:
+                    known = self._of_known_forces(variation, m)
+                    if known is None:
+                        continue
+                    variation = known
                 number += 1
                 if number > MAX_RESTING_MODELS:
                     return
