@@ -165,6 +165,8 @@ class Advisor:
         if change.factor is not None:
             return f"{exchange} ({self._factor(change)})"
         reason = _WHY.get(change.slip, "") if change.slip and not explained else ""
+        if change.slip is Slip.SMALL_ANGLE and isinstance(right / term, sp.cos):
+            reason = f"a factor {self._text(right / term)} is missing"
         return f"{exchange} ({reason})" if reason else exchange
 
     def _factor(self, change: Diagnosis) -> str:

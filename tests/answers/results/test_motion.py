@@ -51,6 +51,7 @@ WRONG_INSTANTS: list[Row] = [
     ),
     ("thrown-stone", "ask", {"time": "v*sin(alpha)/g"}, "then y' = 0"),
     ("thrown-stone", "ask", {"range": "v^2*sin(2*alpha)/(2*g)"}, "there y' = 0"),
+    ("thrown-stone", "ask", {"path": "x*tan(alpha) - g*x^2/(2*v^2)"}, "no division by cos(alpha)^2 in the term"),
 ]
 
 
