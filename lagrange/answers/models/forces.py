@@ -337,6 +337,23 @@ def _with_waves_exchanged(share: sp.Expr) -> sp.Expr:
     return share.xreplace({w: (sp.cos if isinstance(w, sp.sin) else sp.sin)(w.args[0]) for w in waves})
 
 
+def direction_kept(m: Mechanics) -> Iterator[Variation]:
+    """A force that turns with a body, as if it kept the direction that it has where the coordinates are zero."""
+    at_zero: dict[sp.Basic, sp.Basic] = dict.fromkeys(m.slots.coordinates, sp.S.Zero)
+    for load in m.configuration.loads:
+        vector = load.vector.fixed()
+        turning = {w for c in vector.components for w in c.atoms(sp.sin, sp.cos)}
+        turning = {w for w in turning if not w.free_symbols.isdisjoint(at_zero)}
+        own = [f for f in m.of_kind(AppliedForceKind.FORCE) if (f.name, f.on) == (load.name, (load.on,))]
+        if not turning or len(own) != 1:
+            continue
+        kept = replace(load, vector=vector.xreplace({w: w.xreplace(at_zero) for w in turning}))
+        shares = tuple(share_of_load(kept, v, m.configuration) for v in m.slots.velocities)
+        changed = m.force(lambda f, own=own, s=shares: replace(f, shares=s) if f is own[0] else f)  # type: ignore[misc]
+        clause = f"for {name_of(own[0])} keeping its direction, as if it did not turn"
+        yield Variation(clause, f"the direction of {name_of(own[0])}", changed)
+
+
 def support_at_rest(m: Mechanics) -> Iterator[Variation]:
     """A force of a spring or damper with one end on a support that is shaken, as if the support were fixed."""
     for f in (f for f in m.forces if f.kind is not AppliedForceKind.QUASI):
