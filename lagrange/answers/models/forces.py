@@ -19,7 +19,7 @@ from lagrange.answers.models.mechanics import (
     weight_shares,
     written,
 )
-from lagrange.core.symbols import t
+from lagrange.core.symbols import partial, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
@@ -335,6 +335,47 @@ def components_exchanged(m: Mechanics) -> Iterator[Variation]:
 def _with_waves_exchanged(share: sp.Expr) -> sp.Expr:
     waves = share.atoms(sp.sin, sp.cos)
     return share.xreplace({w: (sp.cos if isinstance(w, sp.sin) else sp.sin)(w.args[0]) for w in waves})
+
+
+def coupling_left_out(m: Mechanics) -> Iterator[Variation]:
+    """In the equation of each coordinate springs act as if the other coordinates were zero."""
+    coordinates = m.slots.coordinates
+    springs = m.of_kind(AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL)
+    changed = {}
+    for f in springs if len(coordinates) > 1 else ():
+        alone = tuple(
+            share.xreplace({p: sp.S.Zero for p in coordinates if p != q})
+            for q, share in zip(coordinates, f.shares, strict=True)
+        )
+        if alone != f.shares and not any(s.has(sp.nan, sp.zoo) for s in alone):
+            changed[f] = alone
+    for group in (*([f] for f in changed), *([[*changed]] if len(changed) > 1 else ())):
+        own = {f: changed[f] for f in group}
+        names = ", ".join(called(f.name) for f in own)
+        clause = f"without the coupling of the coordinates by {names}, each as if the others were zero"
+        system = m.force(lambda f, own=own: replace(f, shares=own[f]) if f in own else f)  # type: ignore[misc]
+        yield Variation(clause, f"{names}: it couples the coordinates", system)
+
+
+def on_what_is_carried(m: Mechanics) -> Iterator[Variation]:
+    """A spring that is fastened to something, taken as fastened to what that carries."""
+    coordinates = m.slots.coordinates
+    for f in m.of_kind(AppliedForceKind.POTENTIAL):
+        pulled = [k for k, s in enumerate(f.shares) if s != 0]
+        if len(pulled) != 1 or f.shares[pulled[0]].free_symbols & ({*coordinates} - {coordinates[pulled[0]]}):
+            continue
+        [k] = pulled
+        q = coordinates[k]
+        for point in m.configuration.points:
+            for place in point.position.fixed().components:
+                rest = sp.expand(place - q)
+                if q in rest.free_symbols or rest.free_symbols.isdisjoint(coordinates):
+                    continue
+                pull = f.shares[k].xreplace({q: place})
+                shares = tuple(pull * partial(place, p) for p in coordinates)
+                changed = m.force(lambda g, f=f, s=shares: replace(g, shares=s) if g is f else g)  # type: ignore[misc]
+                clause = f"for {name_of(f)} acting on {called(point.name)}"
+                yield Variation(clause, f"where {name_of(f)} acts", changed)
 
 
 def direction_kept(m: Mechanics) -> Iterator[Variation]:

@@ -60,6 +60,8 @@ MODELS = (
     Model("sine and cosine exchanged in a force", forces.components_exchanged),
     Model("support taken as fixed in a force", forces.support_at_rest),
     Model("direction of a force that turns", forces.direction_kept),
+    Model("coupling by springs left out", forces.coupling_left_out),
+    Model("force on what is carried", forces.on_what_is_carried),
     Model("moving surface taken as fixed", kinematics.surface_at_rest),
     Model("energy of a spring or potential without its half", forces.energy_doubled),
     Model("one half left out", kinetic.half_left_out),
