@@ -170,6 +170,7 @@ class AskedClaim:
         )
         from lagrange.answers.results.lost_energy import explained_by_lost_energy
         from lagrange.answers.results.motion import (
+            explained_alone,
             explained_at_start,
             explained_balance,
             explained_by_first_acceleration,
@@ -199,7 +200,8 @@ class AskedClaim:
             return lost
         if value is not None and (balanced := explained_balance(value, self.asked, self.candidates)):
             return balanced
-        for of_motion in (explained_by_first_acceleration, explained_by_lost_energy) if value is not None else ():
+        ways = explained_by_first_acceleration, explained_by_lost_energy, explained_alone
+        for of_motion in ways if value is not None else ():
             if lost := of_motion(value, self.asked, self.candidates):
                 return lost
         for factor, how in _FACTORS if value is not None else ():

@@ -325,6 +325,25 @@ def explained_instant(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> 
         return ""
 
 
+def explained_alone(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong motion is that with the other coordinates held at zero, in a sentence; empty if not."""
+    q = asked.question.quantity
+    for candidate in candidates if asked.question.by == t else ():
+        slots, equations = candidate.configuration.slots, candidate.system.equations
+        if q not in slots.coordinates or candidate.multipliers or len(slots.coordinates) != len(equations):
+            continue
+        motion: dict[sp.Expr, sp.Expr] = {}
+        for p in slots.coordinates:
+            alone = claim if p == q else sp.S.Zero
+            motion |= {p: alone} | {prime(p, order): sp.diff(alone, t, order) for order in (1, 2)}
+        own = equations[slots.coordinates.index(q)]
+        others = [p for p in slots.coordinates if p != q and own.has(p, prime(p))]
+        if others and is_zero(sp.expand(own.xreplace(motion))) is True:
+            names = " and ".join(map(str, others))
+            return f"this is the motion with {names} held fast, as if nothing moved there"
+    return ""
+
+
 def explained_balance(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
     """Whether the forces are balanced at a wrong place, in a sentence; empty if not."""
     q = asked.question.quantity

@@ -69,6 +69,8 @@ OF_THE_START: list[Row] = [
     ("boat-that-drifts", "ask", {"half": "m/(2*b)"}, FIRST),
     ("stone-in-linear-drag", "ask", {"time": "v/(g + c*v/m)"}, FIRST),
     ("fall-through-air", "ask", {"speed": "sqrt(2*g*h)"}, "without c, as if c = 0"),
+    ("coasting-away", "ask", {"time": "3*R/sqrt(2*K/R)"}, "the velocity at the start is taken for the whole way"),
+    ("wandering-energy", "ask", {"first": "a*cos(sqrt((k + c)/m)*t)"}, "the motion with y held fast"),
 ]
 
 
