@@ -174,6 +174,8 @@ class AskedClaim:
             explained_at_start,
             explained_balance,
             explained_by_first_acceleration,
+            explained_by_free_fall,
+            explained_by_whole_weight,
             explained_in_any_state,
             explained_instant,
             explained_uniform,
@@ -182,6 +184,9 @@ class AskedClaim:
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
         of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
+        for of_forces in (explained_by_free_fall, explained_by_whole_weight) if value is not None else ():
+            if reason := of_forces(value, self.asked, self.candidates):
+                return reason
         if stated is not None and (body := self._of_another_body(stated, of)):
             return body
         impact = self.solution.impact

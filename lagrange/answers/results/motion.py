@@ -30,12 +30,14 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.linear_algebra import RowSpace
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.limits import MAX_MODEL_WORK
 from lagrange.answers.models.letters import balanced_by_forces
 from lagrange.answers.models.search import Models, changed_space
+from lagrange.answers.models.states import ModelState
 from lagrange.answers.references import ReferenceCandidate
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
@@ -218,6 +220,56 @@ def _at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandidate) -> st
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
         pass
     return ""
+
+
+def explained_by_free_fall(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong acceleration at the start is that without any force of a constraint, in a sentence; empty if
+    not."""
+    quantity = asked.question.quantity
+    initial = {s.symbol: s.value for s in asked.initial}
+    for candidate in candidates:
+        slots, multipliers = candidate.configuration.slots, candidate.system.multipliers
+        if quantity not in slots.accelerations or not multipliers:
+            continue
+        start = {s: initial[s] for s in (*slots.coordinates, *slots.velocities) if s in initial}
+        try:
+            models = Models(candidate.system, {**candidate.values, **start}, candidate.parts)
+            states = models.states([quantity - claim])
+            if all(_falls_freely(quantity - claim, at, len(multipliers)) for at in states):
+                return "this is the acceleration without the forces of the constraints, as if it moved freely"
+        except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
+            continue
+    return ""
+
+
+def explained_by_whole_weight(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong limit follows from a normal force equal to the whole weight, in a sentence; empty if not."""
+    quantity = asked.question.quantity
+    related = [c.lhs - c.rhs for c in asked.question.when]
+    if len(related) != 1 or quantity not in related[0].free_symbols:
+        return ""
+    for candidate in candidates:
+        forces = [s for s in related[0].free_symbols if s in candidate.multipliers or s in candidate.meanings]
+        weights = [w.vector.fixed() for w in candidate.configuration.loads if w.name == "weight"]
+        if len(forces) != 1 or not weights:
+            continue
+        [force] = forces
+        slope = related[0].diff(force)
+        if slope == 0 or force in slope.free_symbols:
+            continue
+        stated = (-related[0].xreplace({force: sp.S.Zero}) / slope).xreplace({quantity: claim})
+        total = sum(weights[1:], weights[0])
+        if is_zero(sp.expand(stated**2 - total.dot(total))) is True:
+            return f"{force} is taken as the whole weight"
+    return ""
+
+
+def _falls_freely(equation: sp.Expr, at: ModelState, count: int) -> bool:
+    """Whether an equation follows from the equations of motion alone where all multipliers, the first unknowns, are
+    zero."""
+    row, nothing = at.row(equation), [at.point.number(0)] * count
+    rows = [[*nothing, *derived[count:]] for derived in at.derived]
+    return row is not None and row in RowSpace(at.point.arithmetic, rows)
 
 
 def explained_in_any_state(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:

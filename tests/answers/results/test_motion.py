@@ -60,6 +60,22 @@ def test_times_places_and_motions(problem: str, key: str, stated: object, said: 
     assert_explained(problem, key, stated, said)
 
 
+# Forces of constraints
+
+
+FREE = "this is the acceleration without the forces of the constraints, as if it moved freely"
+OF_REACTIONS: list[Row] = [
+    ("rod-cut-loose", "ask", {"falling": "-g"}, FREE),
+    ("rod-cut-loose", "ask", {"turning": "0"}, FREE),
+    ("rear-wheel-drive", "ask", {"greatest": "mu*m*g"}, "N_A is taken as the whole weight"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), OF_REACTIONS)
+def test_reactions_left_out_or_taken_as_the_weight(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
 # The acceleration at the start
 
 
