@@ -61,6 +61,7 @@ class Group(Enum):
     INERTIA = "inertia"  # an acceleration occurs
     VELOCITY = "velocity"
     FORCE = "force"
+    MOTION = "motion"  # an acceleration or a velocity: what the kinetic energy contributes
 
 
 @record
@@ -116,7 +117,7 @@ def diagnosed(
     if group is None:
         return None
     present = {group_of(term, system) for term in search.terms}
-    return Diagnosis(group, absent=group not in present, alone=present <= {group})
+    return Diagnosis(group, absent=group is not Group.MOTION and group not in present, alone=present <= {group})
 
 
 def in_symbols(diagnosis: Diagnosis, equation: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]) -> Diagnosis:
@@ -299,6 +300,11 @@ class _Search:
             if c is None:
                 return None
             differing |= self._differences(state, derived, c)
+        # With other accelerations it may come from several equations, and its forces be those of this one by chance.
+        same = {*self.slots.accelerations} & (self.equation.free_symbols ^ derived.free_symbols) == set()
+        of_forces = [term for term in terms_of(derived) or () if group_of(term, self.system) is Group.FORCE]
+        if same and of_forces and differing == {Group.INERTIA, Group.VELOCITY}:
+            return Group.MOTION
         return differing.pop() if len(differing) == 1 else None
 
     @cached_property

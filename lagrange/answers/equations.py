@@ -379,7 +379,7 @@ def _with_reasons(
     following = []
     two: Explanation | None = None
     explained_together: list[tuple[int, Callable[[Explanation], tuple[str, ...]]]] = []
-    explanations = _explanations(attempt) if diagnosing else _NONE
+    explanations = _explanations(attempt, reference) if diagnosing else _NONE
     convention = _convention(attempt) if diagnosing and not _is_settled(explanations, attempt) else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
@@ -465,7 +465,22 @@ def _as_by_a_convention() -> frozenset[str]:
     return AS_BY_A_CONVENTION
 
 
-def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
+def _candidate_with_parts(equations: Sequence[sp.Expr], attempt: _Attempt, reference: Reference) -> ReferenceCandidate:
+    """The system of an attempt; if its parts are not known, as where forces of constraints are stated in the
+    coordinates of a choice, another one that has all their symbols."""
+    own = attempt.candidate
+    used = {base(s) for e in equations for s in e.free_symbols}
+    moving = {*reference.scope.slots.coordinates, *(m for c in reference.candidates for m in c.multipliers)}
+    if not own.multipliers or own.models.mechanics is not None:
+        return own
+    for c in reference.candidates:
+        known = {*c.configuration.slots.coordinates, *c.multipliers}
+        if used & moving <= known and {*own.multipliers} <= known and c.models.mechanics is not None:
+            return c
+    return own
+
+
+def _explanations(attempt: _Attempt, reference: Reference) -> dict[int, Explanation]:
     """The models that explain wrong equations, by their numbers."""
     standings = attempt.standings
     if any(Standing.NOT_LINEAR in several for several in standings):
@@ -477,7 +492,8 @@ def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
         return _NONE
     from lagrange.answers.models.search import explained
 
-    explanations = explained([e for _, e in components], bad, attempt.candidate.models)
+    equations = [e for _, e in components]
+    explanations = explained(equations, bad, _candidate_with_parts(equations, attempt, reference).models)
     return {components[m][0]: e for m, e in reversed(list(zip(bad, explanations, strict=True))) if e is not None}
 
 

@@ -361,19 +361,21 @@ def _reasons(
     for sentence, sides in others:
         if sentence != INVERTED and right(sides):
             yield sentence
+    own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
+    more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
+    more &= {*reference.parameters}
     if others and tried.tried:
         lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))
         factor = tried.missing_factor(lhs, rhs)
-        if factor is not None:
+        if factor is not None and not {s.name for s in factor.free_symbols} & more:
             yield f"its right side has to be multiplied by {text(factor, Notation())}"
     if problem is not None and (clause := tried.of_one_force(problem)):
         yield f"these are the equilibria {clause}"
     for sentence, sides in other_waves(wrong, slots.coordinates):
         if right(sides):
             yield sentence
-    own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
-    more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
-    more &= {*reference.parameters}
+    if tried.tried and (implied := tried.of_displacement()):
+        yield implied
     from lagrange.answers.results.meanings import wrong_dimension
 
     yield from filter(None, (wrong_dimension(c, reference.units) for c in stated))

@@ -43,11 +43,13 @@ _GROUPS = {
     Group.INERTIA: "a term with an acceleration",
     Group.VELOCITY: "a velocity term",
     Group.FORCE: "a force term (without velocities and accelerations)",
+    Group.MOTION: "the terms with accelerations and velocities",
 }
 _TERMS = {
     Group.INERTIA: "terms with accelerations",
     Group.VELOCITY: "terms with velocities",
     Group.FORCE: "terms without velocities and accelerations",
+    Group.MOTION: "terms with accelerations and with velocities",
 }
 _DIMENSIONS = "its terms have different dimensions"
 _SLIPS = {
@@ -75,6 +77,7 @@ _SHORT = {
     Group.INERTIA: "a term with an acceleration",
     Group.VELOCITY: "a velocity term",
     Group.FORCE: "a force term",
+    Group.MOTION: "the kinetic energy",
 }
 
 
@@ -135,6 +138,8 @@ class Advisor:
         terms = _TERMS[change.group]
         if change.group is Group.VELOCITY and self.notation.prescribed:
             terms = "terms with velocities or derivatives of a given motion"
+        if change.group is Group.MOTION:
+            return f"what the forces contribute to it is right, and not its {terms}: look at the kinetic energy"
         if change.absent:
             return f"its terms are right, but {terms} are missing"
         return f"something is wrong in its {terms}" + ("" if change.alone else "; the others are right")
@@ -165,6 +170,8 @@ class Advisor:
         if change.factor is not None:
             return f"{exchange} ({self._factor(change)})"
         reason = _WHY.get(change.slip, "") if change.slip and not explained else ""
+        if change.slip is Slip.SMALL_ANGLE and isinstance(right / term, sp.cos):
+            reason = f"a factor {self._text(right / term)} is missing"
         return f"{exchange} ({reason})" if reason else exchange
 
     def _factor(self, change: Diagnosis) -> str:

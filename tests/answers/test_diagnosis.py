@@ -24,6 +24,7 @@ from lagrange.problem.loader import read_problem
 from lagrange.values.dimensions import mismatch
 from lagsolve.main import main
 from tests.answers.test_equations import GIVEN
+from tests.support.shared import reference_of
 
 SYSTEMS = {
     **GIVEN,
@@ -303,6 +304,10 @@ NOTHING = "it does not follow from the equations of motion"
 IN_FORCES = "Something is wrong in its terms without velocities and accelerations; the others are right."
 IN_VELOCITIES = "Something is wrong in its terms with velocities; the others are right."
 IN_INERTIA = "Something is wrong in its terms with accelerations; the others are right."
+IN_MOTION = (
+    "What the forces contribute to it is right, and not its terms with accelerations and with velocities: look at the "
+    "kinetic energy."
+)
 
 
 @pytest.mark.parametrize(
@@ -329,6 +334,12 @@ IN_INERTIA = "Something is wrong in its terms with accelerations; the others are
 def test_a_group_is_named_only_if_the_others_are_right(key: str, equation: str, said: str) -> None:
     [found] = check_equations([Fragment.of(equation)], system(key)).equations
     assert found.diagnosis == said
+
+
+def test_a_wrong_kinetic_energy_beside_right_forces() -> None:
+    """The speed of a bead on a cycloid taken as a phi'."""
+    [found] = check_equations([Fragment.of("a*phi'' + g*sin(phi) = 0")], reference_of("cycloidal-pendulum")).equations
+    assert found.diagnosis == IN_MOTION
 
 
 def test_a_change_into_a_term_that_vanishes_explains_nothing() -> None:

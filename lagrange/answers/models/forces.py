@@ -19,7 +19,7 @@ from lagrange.answers.models.mechanics import (
     weight_shares,
     written,
 )
-from lagrange.core.symbols import t
+from lagrange.core.symbols import partial, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
@@ -96,16 +96,36 @@ def gravity_left_out(m: Mechanics) -> Iterator[Variation]:
 
 def friction_reversed(m: Mechanics) -> Iterator[Variation]:
     """Friction acts the other way: with the motion."""
-    yield from _all_and_each(
-        m, m.of_kind(AppliedForceKind.FRICTION), sp.S.NegativeOne, "for {} acting the other way", "the sign of {}"
-    )
+    for system in (m, *_with_open_normal_forces(m)):
+        forces = system.of_kind(AppliedForceKind.FRICTION)
+        yield from _all_and_each(system, forces, sp.S.NegativeOne, "for {} acting the other way", "the sign of {}")
 
 
 def friction_left_out(m: Mechanics) -> Iterator[Variation]:
     """Friction is omitted."""
-    yield from _all_and_each(
-        m, m.of_kind(AppliedForceKind.FRICTION), sp.S.Zero, "without {}", "the forces: is {} there"
-    )
+    for system in (m, *_with_open_normal_forces(m)):
+        forces = system.of_kind(AppliedForceKind.FRICTION)
+        yield from _all_and_each(system, forces, sp.S.Zero, "without {}", "the forces: is {} there")
+
+
+def _with_open_normal_forces(m: Mechanics) -> Iterator[Mechanics]:
+    """The system with friction proportional to unknown normal forces: one that is changed changes the others."""
+    rows = [row.name for row in m.configuration.rows]
+    if len(m.frictions) < 2 or len(rows) != len(m.multipliers):
+        return
+    shares = {}
+    for f in m.frictions:
+        if f.also or f.reaction.name not in rows or not f.contact.is_number:
+            return
+        force = f.share * m.multipliers[rows.index(f.reaction.name)]
+        loads = [Load(f.friction.name, f.friction.on, force, f.point)]
+        loads += [] if f.beside is None else [Load(f.friction.name, f.opposite, -force, f.beside)]
+        for load in loads:
+            own = tuple(share_of_load(load, v, m.configuration) for v in m.slots.velocities)
+            shares[load.name, load.on] = own
+    friction = AppliedForceKind.FRICTION
+    if {*shares} == {(g.name, g.on[0]) for g in m.of_kind(friction)}:
+        yield m.force(lambda g: replace(g, shares=shares[g.name, g.on[0]]) if g.kind is friction else g)
 
 
 def potential_reversed(m: Mechanics) -> Iterator[Variation]:
@@ -296,20 +316,83 @@ def components_exchanged(m: Mechanics) -> Iterator[Variation]:
     """Sine and cosine exchanged where forces are resolved into components."""
     for kind in (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE):
         forces = m.of_kind(kind)
+        names = {f.name for f in forces}
+        loads = [load for load in m.configuration.loads if load.name in names]
+        resolved = any(c.has(sp.sin, sp.cos) for load in loads for c in load.vector.fixed().components)
+        where = "components" if resolved else "lever arm"
         for group in (forces, *([f] for f in forces if len(forces) > 1)):
             changed = {f: tuple(_with_waves_exchanged(s) for s in f.shares) for f in group}
             if all(shares == f.shares for f, shares in changed.items()):
                 continue
             what = "weight" if kind is AppliedForceKind.WEIGHT else "force"
             of = ", ".join(name_of(f) for f in group) if len(forces) > 1 and len(group) == 1 else f"the {what}"
-            clause = f"with sine and cosine exchanged in the components of {of}"
+            clause = f"with sine and cosine exchanged in the {where} of {of}"
             system = m.force(lambda f, c=changed: replace(f, shares=c[f]) if f in c else f)  # type: ignore[misc]
-            yield Variation(clause, f"how {of} is resolved into components", system)
+            place = f"how {of} is resolved into components" if resolved else f"the lever arm of {of}"
+            yield Variation(clause, place, system)
 
 
 def _with_waves_exchanged(share: sp.Expr) -> sp.Expr:
     waves = share.atoms(sp.sin, sp.cos)
     return share.xreplace({w: (sp.cos if isinstance(w, sp.sin) else sp.sin)(w.args[0]) for w in waves})
+
+
+def coupling_left_out(m: Mechanics) -> Iterator[Variation]:
+    """In the equation of each coordinate springs act as if the other coordinates were zero."""
+    coordinates = m.slots.coordinates
+    springs = m.of_kind(AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL)
+    changed = {}
+    for f in springs if len(coordinates) > 1 else ():
+        alone = tuple(
+            share.xreplace({p: sp.S.Zero for p in coordinates if p != q})
+            for q, share in zip(coordinates, f.shares, strict=True)
+        )
+        if alone != f.shares and not any(s.has(sp.nan, sp.zoo) for s in alone):
+            changed[f] = alone
+    for group in (*([f] for f in changed), *([[*changed]] if len(changed) > 1 else ())):
+        own = {f: changed[f] for f in group}
+        names = ", ".join(called(f.name) for f in own)
+        clause = f"without the coupling of the coordinates by {names}, each as if the others were zero"
+        system = m.force(lambda f, own=own: replace(f, shares=own[f]) if f in own else f)  # type: ignore[misc]
+        yield Variation(clause, f"{names}: it couples the coordinates", system)
+
+
+def on_what_is_carried(m: Mechanics) -> Iterator[Variation]:
+    """A spring that is fastened to something, taken as fastened to what that carries."""
+    coordinates = m.slots.coordinates
+    for f in m.of_kind(AppliedForceKind.POTENTIAL):
+        pulled = [k for k, s in enumerate(f.shares) if s != 0]
+        if len(pulled) != 1 or f.shares[pulled[0]].free_symbols & ({*coordinates} - {coordinates[pulled[0]]}):
+            continue
+        [k] = pulled
+        q = coordinates[k]
+        for point in m.configuration.points:
+            for place in point.position.fixed().components:
+                rest = sp.expand(place - q)
+                if q in rest.free_symbols or rest.free_symbols.isdisjoint(coordinates):
+                    continue
+                pull = f.shares[k].xreplace({q: place})
+                shares = tuple(pull * partial(place, p) for p in coordinates)
+                changed = m.force(lambda g, f=f, s=shares: replace(g, shares=s) if g is f else g)  # type: ignore[misc]
+                clause = f"for {name_of(f)} acting on {called(point.name)}"
+                yield Variation(clause, f"where {name_of(f)} acts", changed)
+
+
+def direction_kept(m: Mechanics) -> Iterator[Variation]:
+    """A force that turns with a body, as if it kept the direction that it has where the coordinates are zero."""
+    at_zero: dict[sp.Basic, sp.Basic] = dict.fromkeys(m.slots.coordinates, sp.S.Zero)
+    for load in m.configuration.loads:
+        vector = load.vector.fixed()
+        turning = {w for c in vector.components for w in c.atoms(sp.sin, sp.cos)}
+        turning = {w for w in turning if not w.free_symbols.isdisjoint(at_zero)}
+        own = [f for f in m.of_kind(AppliedForceKind.FORCE) if (f.name, f.on) == (load.name, (load.on,))]
+        if not turning or len(own) != 1:
+            continue
+        kept = replace(load, vector=vector.xreplace({w: w.xreplace(at_zero) for w in turning}))
+        shares = tuple(share_of_load(kept, v, m.configuration) for v in m.slots.velocities)
+        changed = m.force(lambda f, own=own, s=shares: replace(f, shares=s) if f is own[0] else f)  # type: ignore[misc]
+        clause = f"for {name_of(own[0])} keeping its direction, as if it did not turn"
+        yield Variation(clause, f"the direction of {name_of(own[0])}", changed)
 
 
 def support_at_rest(m: Mechanics) -> Iterator[Variation]:

@@ -24,7 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import combinations, permutations
+from itertools import combinations, pairwise, permutations
 
 import sympy as sp
 
@@ -40,7 +40,7 @@ from lagrange.answers.models.mechanics import (
 )
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import Bounded, Unspecified, base, partial, prime, t
-from lagrange.core.vectors import Components
+from lagrange.core.vectors import Components, Vector
 from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_velocities
 
 
@@ -84,6 +84,55 @@ def relative_for_absolute(m: Mechanics) -> Iterator[Variation]:
                 prime(q, 2): prime(q, 2) + sign * prime(p, 2),
             }
             yield Variation(clause, f"from where {q} is measured", rule=rule)
+    angles = [q for q in m.slots.coordinates if _turns(q, m)]
+    if len(angles) > 2:
+        rule = {}
+        for p, q in pairwise(angles):
+            rule |= {q: q - p} | {prime(q, order): prime(q, order) - prime(p, order) for order in (1, 2)}
+        names = ", ".join(map(str, angles[1:]))
+        clause = f"for each of {names} measured relative to the one before it, and not from a fixed direction"
+        yield Variation(clause, f"from where {names} are measured", rule=rule)
+
+
+def _turns(q: sp.Symbol, m: Mechanics) -> bool:
+    """Whether the position of something depends on a sine or cosine of a coordinate."""
+    return any(q in w.free_symbols for p in m.configuration.points for w in _waves(p.position.fixed()))
+
+
+def _waves(position: Vector) -> set[sp.Basic]:
+    return {w for c in position.components for w in c.atoms(sp.sin, sp.cos)}
+
+
+def relative_velocities(m: Mechanics) -> Iterator[Variation]:
+    """In a velocity, a direction at the angle theta + psi taken to turn with psi' alone."""
+    slots = m.slots
+    places = {p.name: p.position.fixed() for p in m.configuration.points}
+    for i, q in enumerate(slots.coordinates):
+        changed = []
+        for part in m.particles:
+            position = places.get(part.name)
+            sums = [w for w in _waves(position) if _is_sum_with(w, q, m)] if position is not None else []
+            if position is None or not sums:
+                continue
+            held = sp.Dummy()
+            frozen = position.xreplace({w: w.xreplace({q: held}) for w in sums})
+            column = frozen.map(lambda c, q=q: partial(c, q)).xreplace({held: q})  # type: ignore[misc]
+            changed.append(
+                (part, replace(part, columns=(*part.columns[:i], column.components, *part.columns[i + 1 :])))
+            )
+        for group in (*([one] for one in changed), *([changed] if len(changed) > 1 else ())):
+            names = ", ".join(called(part.name) for part, _ in group)
+            rule = dict(group)
+            yield Variation(
+                f"with relative for absolute angular velocities, without {prime(q)}, in the velocity of {names}",
+                f"the velocity of {names}",
+                m.inertia(lambda part, rule=rule: rule.get(part, part)),  # type: ignore[misc]
+            )
+
+
+def _is_sum_with(wave: sp.Basic, q: sp.Symbol, m: Mechanics) -> bool:
+    """Whether the argument of a sine or cosine is a sum of q and other coordinates."""
+    return q in wave.free_symbols and len(wave.free_symbols & {*m.slots.coordinates}) > 1
 
 
 def complement(m: Mechanics) -> Iterator[Variation]:

@@ -370,17 +370,17 @@ def velocity_terms_left_out(m: Mechanics) -> Iterator[Variation]:
 
 def half_left_out(m: Mechanics) -> Iterator[Variation]:
     """T without its ½, or with one too many."""
-    for factor, clause in (
-        (sp.Integer(2), "for a kinetic energy twice as large"),
-        (HALF, "for half of the kinetic energy"),
-    ):
+    size = ("half", "twice") if not m.multipliers else ()
+    words = "for a kinetic energy twice as large", "for half of the kinetic energy"
+    for n, (factor, clause) in enumerate(zip((sp.Integer(2), HALF), words, strict=True)):
+        clause += f", or forces {size[n]} as large" if size else ""
         changed = m.inertia(lambda i, f=factor: replace(i, factor=i.factor * f))  # type: ignore[misc]
         yield Variation(clause, "the factor of the kinetic energy", changed)
         for one in m.inertias if len(m.inertias) > 1 else ():
             what = f"{'rotational' if one.turning else 'kinetic'} energy of {called(one.name)}"
-            words = f"for a {what} twice as large" if factor == 2 else f"for half of the {what}"
+            half = f"for a {what} twice as large" if factor == 2 else f"for half of the {what}"
             yield Variation(
-                words, f"the factor of the {what}", _changed(m, one, replace(one, factor=one.factor * factor))
+                half, f"the factor of the {what}", _changed(m, one, replace(one, factor=one.factor * factor))
             )
 
 

@@ -245,3 +245,6 @@ _MEANT = (
 )
 NUMBER_OF_MEANINGS = len(_OTHER_QUANTITIES)
 """How many of `explained_frequencies` are other quantities; the rest are factors, and other meanings of letters."""
+
+NUMBER_WITH_FACTORS = len(_MEANT)
+"""How many of them are other quantities or factors."""

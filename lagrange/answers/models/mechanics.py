@@ -143,6 +143,7 @@ class Mechanics:
     kept       the coordinates whose equations are set up; all of them, unless constraints were put into T
     units      of the parameters, as far as the file gives them
     speeds     the quasi-velocities of the file
+    multipliers  of the constraints that remain, as far as they are unknowns of the equations
     """
 
     configuration: Configuration
@@ -152,6 +153,7 @@ class Mechanics:
     kept: tuple[int, ...] = ()
     units: tuple[tuple[sp.Symbol, str], ...] = ()
     speeds: tuple[Speed, ...] = ()
+    multipliers: tuple[sp.Symbol, ...] = ()
 
     def may_be_exchanged(self, a: sp.Symbol, b: sp.Symbol) -> bool:
         """Whether two parameters are of the same kind, judging by their units."""

@@ -291,12 +291,15 @@ class _Setting:
 
 
 def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:
-    """Whether a distance is the time multiplied by the velocity at its start or end, in a sentence; empty if not.
+    """Whether a distance is the time multiplied by the velocity at its start or end, or a time the distance divided by
+    it, in a sentence; empty if not.
 
     others  all questions, of which one may be for the time
     """
     q = asked.question.quantity
     initial = {s.symbol: s.value for s in asked.initial}
+    if q == t:
+        return _of_constant_velocity(claim, asked, initial)
     if not q.is_Symbol or base(q) != q or initial.get(q, sp.S.Zero) != 0:
         return ""
     when = [c.lhs - c.rhs for c in asked.question.when]
@@ -305,7 +308,23 @@ def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequenc
     ends = [s.get(prime(q)) for b in asked.branches for s in b.states]
     for velocity, place in ((initial.get(prime(q)), "at the start"), *((v, "at the end") for v in ends)):
         if velocity is not None and velocity != 0 and any(_same(claim, velocity * time) for time in times):
-            return f"the velocity {place} is taken for the whole way, and it changes"
+            return f"the velocity {place} {_FOR_THE_WHOLE_WAY}"
+    return ""
+
+
+_FOR_THE_WHOLE_WAY = "is taken for the whole way, and it changes"
+
+
+def _of_constant_velocity(claim: sp.Expr, asked: Asked, initial: Mapping[sp.Symbol, sp.Expr]) -> str:
+    """Whether a time is the way to the place at which it is asked for, divided by a velocity."""
+    for c in asked.question.when:
+        if not c.lhs.is_Symbol or c.lhs not in initial or c.rhs.has(t, c.lhs, prime(c.lhs)):
+            continue
+        q, way = c.lhs, c.rhs - initial[c.lhs]
+        ends = [s.get(prime(q)) for b in asked.branches for s in b.states]
+        for velocity, place in ((initial.get(prime(q)), "at the start"), *((v, "at the end") for v in ends)):
+            if velocity is not None and velocity != 0 and _same(claim * velocity, way):
+                return f"the velocity {place} {_FOR_THE_WHOLE_WAY}"
     return ""
 
 
@@ -439,7 +458,9 @@ def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
     if above.is_number and below.is_number and 1 not in (above**2, below**2):
         return  # some other number: no factor was forgotten
     parts = [f"a factor {_written(below)} is missing"] if below not in (1, -1) else []
-    parts += [f"there is a factor {_written(above)} too many"] if above not in (1, -1) else []
+    if above not in (1, -1):
+        there = above.free_symbols <= stated.free_symbols
+        parts.append(f"there is a factor {_written(above)} too many" if there else f"no division by {_written(above)}")
     if parts and stated != -term:
         yield f"{' and '.join(parts)} in the term {_written(_unsigned(stated))}"
 

@@ -16,6 +16,7 @@ problem finds them there. The budget is one of work, counted in rows: every mach
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from itertools import product
 from typing import Any
@@ -88,7 +89,8 @@ class Models:
         except (*unusable, ValueError):
             return None
         agree = all(r in right for r in at.derived) and all(r in at.right for r in rows)
-        return mechanics if agree else None
+        multipliers = self.system.multipliers[: len(self.system.configuration.rows)]
+        return replace(mechanics, multipliers=multipliers) if agree else None
 
     @cached_property
     def variations(self) -> Lazily:

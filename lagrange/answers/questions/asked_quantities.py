@@ -168,9 +168,14 @@ class AskedClaim:
             explained_by_energy,
             explained_value,
         )
+        from lagrange.answers.results.lost_energy import explained_by_lost_energy
         from lagrange.answers.results.motion import (
+            explained_alone,
             explained_at_start,
             explained_balance,
+            explained_by_first_acceleration,
+            explained_by_free_fall,
+            explained_by_whole_weight,
             explained_in_any_state,
             explained_instant,
             explained_uniform,
@@ -179,6 +184,9 @@ class AskedClaim:
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
         of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
+        for of_forces in (explained_by_free_fall, explained_by_whole_weight) if value is not None else ():
+            if reason := of_forces(value, self.asked, self.candidates):
+                return reason
         if stated is not None and (body := self._of_another_body(stated, of)):
             return body
         impact = self.solution.impact
@@ -197,6 +205,10 @@ class AskedClaim:
             return lost
         if value is not None and (balanced := explained_balance(value, self.asked, self.candidates)):
             return balanced
+        ways = explained_by_first_acceleration, explained_by_lost_energy, explained_alone
+        for of_motion in ways if value is not None else ():
+            if lost := of_motion(value, self.asked, self.candidates):
+                return lost
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how

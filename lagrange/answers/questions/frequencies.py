@@ -27,7 +27,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.limits import HIGHEST_FREQUENCY_EQUATION, LONGEST_SQUARE
-from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, explained_frequencies
+from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, NUMBER_WITH_FACTORS, explained_frequencies
 from lagrange.answers.questions.texts.frequency_labels import LABELLED, listed_frequencies
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
@@ -271,12 +271,20 @@ def _explained(
         if len(alone) == len(claims) > 1:
             yield from filter(None, [_of_models(claims, places, reference)])
         yield from filter(None, (p.held_fast(alone, values) for p in places))
-        yield from filter(None, (_of_models(stated, places, reference) for stated in (claims, alone) if stated))
+        if (
+            len(alone) == 1 < sum(c != 0 for c in claims)
+        ):  # one term of one mode, rather than a change that spares others
+            factors = islice(explained_frequencies(alone), NUMBER_WITH_FACTORS)
+            yield from (sentence for sentence, meant in factors if right(meant))
+            yield from filter(None, (p.of_one_term(alone[0], values) for p in places))
+        yield from filter(None, [_of_models(claims, places, reference)])
     for claims in lists:
         alone = [c for c in claims if not right([c])]
         for stated in (claims, alone):
             yield from (sentence for sentence, meant in explained_frequencies(stated) if right(meant))
         yield from filter(None, (p.of_one_term(c, values) for c in alone for p in places))
+        if 0 < len(alone) < len(claims):  # what changes the problem would change the right ones beside them as well
+            yield from filter(None, [_of_models(alone, places, reference)])
 
 
 def frequencies_in(fragment: Fragment, reference: Reference) -> list[sp.Expr]:

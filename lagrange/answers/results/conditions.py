@@ -171,6 +171,13 @@ def _reasons(stated: StatedCondition, derived: Sequence[sp.Expr], coefficients: 
         exchanged = (_without_cotangents(limit.slack.xreplace(dict(meaning.rule))) for limit in known)
         if any(_Limit(e).is_of(_without_cotangents(stated.slack)) for e in exchanged):
             yield f"this is the condition {meaning.clause}"
+    angles = {
+        w: w.xreplace({mu: sp.atan(mu) for mu in coefficients}) for w in stated.slack.atoms(sp.sin, sp.cos, sp.tan)
+    }
+    with_angles = stated.slack.xreplace(angles)
+    if with_angles != stated.slack and any(limit.is_of(_in_tangents(with_angles)) for limit in known):
+        named = ", ".join(sorted(mu.name for mu in coefficients if mu in stated.slack.free_symbols))
+        yield f"{named} is taken for the angle of friction, which is atan({named})"
     for limit in known:
         yield from _of_sides(stated.slack, limit.slack)
     meanings = _meanings([stated], derived, coefficients)
@@ -254,6 +261,11 @@ class _Limit:
         return None
 
 
+def _in_tangents(e: sp.Expr) -> sp.Expr:
+    """tan(alpha + atan(mu)) as (tan(alpha) + mu)/(1 - mu*tan(alpha))."""
+    return e.replace(sp.tan, lambda x: sp.expand_trig(sp.tan(x)))
+
+
 def _without_cotangents(e: sp.Expr) -> sp.Expr:
     return e.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x)).replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
 
@@ -304,8 +316,15 @@ def _of_terms(stated: sp.Expr, right: sp.Expr, coefficients: Collection[sp.Expr]
             yield f"the term {_written(lost[0] / scale)} does not belong there"
         elif sp.expand(lost[0] + gained[0]) == 0:
             yield f"the sign of the term {_written(term)} is wrong"
+        elif isinstance(lost[0] / gained[0], sp.exp):
+            sides = ("tight", "slack") if _point_value(lost[0] / gained[0]) > 1 else ("slack", "tight")
+            yield f"the tension of the {sides[0]} side of the belt stands where that of the {sides[1]} side belongs"
         elif len(other) > 2:
             yield f"{_written(lost[0] / scale)} stands where {_written(term)} belongs"
+
+
+def _point_value(e: sp.Expr) -> float:
+    return approximate(e, _point(e, 0))
 
 
 def _of_directions(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
@@ -495,6 +514,20 @@ def belt_meanings(derived: Collection[sp.Expr], coefficients: Collection[sp.Expr
             for clause, factor in _SLIPS:
                 yield LetterMeaning(clause, {mu: factor * mu})
             yield LetterMeaning("with 1 + mu*beta in place of exp(mu*beta), as for a short arc", short)
+    for letter in sorted({s for w in powers for s in w.args[0].free_symbols if len(powers) == 1}, key=str):
+        clause = f"for a friction {letter} times the tension, as of a block, in place of the law of the belt"
+        yield LetterMeaning(clause, dict.fromkeys(powers, 1 + letter))
+    without = {w: w + 1 for w in powers if any(_has_difference(e, w) for e in derived)}
+    if without:
+        yield LetterMeaning("without the tension of the slack side on the drum", without)
+
+
+def _has_difference(slack: sp.Expr, power: sp.Expr) -> bool:
+    """Whether a slack has a term with exp(mu*beta) - 1, the difference of the tensions over that of the slack side."""
+    letter = sp.Dummy(positive=True)
+    linear = sp.expand(_cleared(slack).xreplace({power: letter}))
+    rate, rest = linear.coeff(letter, 1), linear.coeff(letter, 0)
+    return bool(rate != 0 and {*sp.Add.make_args(-rate)} < {*sp.Add.make_args(rest)})
 
 
 def in_logarithms(slack: sp.Expr) -> sp.Expr:

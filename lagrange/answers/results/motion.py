@@ -30,12 +30,14 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.linear_algebra import RowSpace
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.limits import MAX_MODEL_WORK
 from lagrange.answers.models.letters import balanced_by_forces
 from lagrange.answers.models.search import Models, changed_space
+from lagrange.answers.models.states import ModelState
 from lagrange.answers.references import ReferenceCandidate
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
@@ -132,17 +134,53 @@ def _acceleration(claim: sp.Expr, asked: Asked, motion: Uniform) -> sp.Expr | No
     """The A for which a stated value would be right; None if the question is of another kind."""
     q, v = motion.coordinate, prime(motion.coordinate)
     quantity, place = asked.question.quantity, _place(asked, motion)
-    at_turn = any(sp.expand(c.lhs - c.rhs) in (v, -v) for c in asked.question.when)
+    last = _last_velocity(asked, v)
     if place is not None and quantity in (v, v**2):
         square = claim**2 if quantity == v else claim
         return (square - motion.velocity**2) / (2 * (place - motion.start))
     if place is not None and quantity == t:
         return 2 * (place - motion.start - motion.velocity * claim) / claim**2
-    if at_turn and quantity == q:
-        return -(motion.velocity**2) / (2 * (claim - motion.start))
-    if at_turn and quantity == t:
-        return -motion.velocity / claim
+    if last is not None and quantity == q:
+        return (last**2 - motion.velocity**2) / (2 * (claim - motion.start))
+    if last is not None and quantity == t:
+        return (last - motion.velocity) / claim
     return None
+
+
+def _last_velocity(asked: Asked, v: sp.Symbol) -> sp.Expr | None:
+    """The velocity at which the question is asked; None if `when` is no such event."""
+    for c in asked.question.when:
+        difference = sp.expand(c.lhs - c.rhs)
+        slope = difference.coeff(v)
+        rest = difference - slope * v
+        if slope in (1, -1) and not rest.has(v, base(v), t):
+            return -rest * slope
+    return None
+
+
+def explained_by_first_acceleration(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong speed, time or place is that of a constant acceleration, the one at the start, in a sentence;
+    empty if not."""
+    initial = {s.symbol: s.value for s in asked.initial}
+    for candidate in candidates:
+        slots = candidate.configuration.slots
+        if candidate.choice != asked.choice or candidate.multipliers or len(slots.coordinates) != 1:
+            continue
+        [q], [v], [a] = slots.coordinates, slots.velocities, slots.accelerations
+        if len(candidate.system.equations) != 1 or not {q, v} <= initial.keys():
+            continue
+        [equation] = candidate.system.equations
+        slope, rest = equation.diff(a), equation.xreplace({a: sp.S.Zero})
+        if slope == 0 or slope.has(a) or not (slope.has(q, v) or rest.has(q, v)):
+            continue
+        first = sp.cancel((-rest / slope).xreplace({**initial, t: sp.S.Zero}))
+        parameters = (slope.free_symbols | rest.free_symbols) - {q, v, t}
+        if not parameters <= first.free_symbols | slope.free_symbols:
+            continue  # a force that vanishes at the start is left out, rather than taken as constant
+        stated = _acceleration(claim, asked, Uniform(q, initial[q], initial[v], first))
+        if first != 0 and stated is not None and is_zero(stated - first) is True:
+            return "the acceleration at the start is taken as constant, and it changes"
+    return ""
 
 
 def _of_models(stated: sp.Expr, q: sp.Symbol, candidate: ReferenceCandidate) -> Iterator[str]:
@@ -182,6 +220,56 @@ def _at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandidate) -> st
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
         pass
     return ""
+
+
+def explained_by_free_fall(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong acceleration at the start is that without any force of a constraint, in a sentence; empty if
+    not."""
+    quantity = asked.question.quantity
+    initial = {s.symbol: s.value for s in asked.initial}
+    for candidate in candidates:
+        slots, multipliers = candidate.configuration.slots, candidate.system.multipliers
+        if quantity not in slots.accelerations or not multipliers:
+            continue
+        start = {s: initial[s] for s in (*slots.coordinates, *slots.velocities) if s in initial}
+        try:
+            models = Models(candidate.system, {**candidate.values, **start}, candidate.parts)
+            states = models.states([quantity - claim])
+            if all(_falls_freely(quantity - claim, at, len(multipliers)) for at in states):
+                return "this is the acceleration without the forces of the constraints, as if it moved freely"
+        except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
+            continue
+    return ""
+
+
+def explained_by_whole_weight(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong limit follows from a normal force equal to the whole weight, in a sentence; empty if not."""
+    quantity = asked.question.quantity
+    related = [c.lhs - c.rhs for c in asked.question.when]
+    if len(related) != 1 or quantity not in related[0].free_symbols:
+        return ""
+    for candidate in candidates:
+        forces = [s for s in related[0].free_symbols if s in candidate.multipliers or s in candidate.meanings]
+        weights = [w.vector.fixed() for w in candidate.configuration.loads if w.name == "weight"]
+        if len(forces) != 1 or not weights:
+            continue
+        [force] = forces
+        slope = related[0].diff(force)
+        if slope == 0 or force in slope.free_symbols:
+            continue
+        stated = (-related[0].xreplace({force: sp.S.Zero}) / slope).xreplace({quantity: claim})
+        total = sum(weights[1:], weights[0])
+        if is_zero(sp.expand(stated**2 - total.dot(total))) is True:
+            return f"{force} is taken as the whole weight"
+    return ""
+
+
+def _falls_freely(equation: sp.Expr, at: ModelState, count: int) -> bool:
+    """Whether an equation follows from the equations of motion alone where all multipliers, the first unknowns, are
+    zero."""
+    row, nothing = at.row(equation), [at.point.number(0)] * count
+    rows = [[*nothing, *derived[count:]] for derived in at.derived]
+    return row is not None and row in RowSpace(at.point.arithmetic, rows)
 
 
 def explained_in_any_state(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
@@ -287,6 +375,25 @@ def explained_instant(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> 
         return "" if own is None else next(_at_place(claim, question.quantity, own, motion, initial), "")
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         return ""
+
+
+def explained_alone(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong motion is that with the other coordinates held at zero, in a sentence; empty if not."""
+    q = asked.question.quantity
+    for candidate in candidates if asked.question.by == t else ():
+        slots, equations = candidate.configuration.slots, candidate.system.equations
+        if q not in slots.coordinates or candidate.multipliers or len(slots.coordinates) != len(equations):
+            continue
+        motion: dict[sp.Expr, sp.Expr] = {}
+        for p in slots.coordinates:
+            alone = claim if p == q else sp.S.Zero
+            motion |= {p: alone} | {prime(p, order): sp.diff(alone, t, order) for order in (1, 2)}
+        own = equations[slots.coordinates.index(q)]
+        others = [p for p in slots.coordinates if p != q and own.has(p, prime(p))]
+        if others and is_zero(sp.expand(own.xreplace(motion))) is True:
+            names = " and ".join(map(str, others))
+            return f"this is the motion with {names} held fast, as if nothing moved there"
+    return ""
 
 
 def explained_balance(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:

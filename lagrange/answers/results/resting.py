@@ -69,8 +69,11 @@ if TYPE_CHECKING:
 
 Substitution = Mapping[sp.Basic, sp.Basic]
 _LIKELIER = ("gravity reversed", "carried weight left out", "force left out")
-_LESS_LIKELY = ("force with another factor", "force in the wrong equation")
+_OTHER_FACTOR = "force with another factor"
+_LESS_LIKELY = (_OTHER_FACTOR, "force in the wrong equation")
 """At rest an arm is taken wrongly more often than a weight, and a force forgotten more often than reversed."""
+_ACTING_SOMEWHERE = (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE)
+_INVERSE = {"twice as large": "half", "half as large": "twice"}
 
 
 class Resting:
@@ -163,10 +166,33 @@ class Resting:
                     continue
                 if changed.forces == m.forces and not self._driven(changed.inertias):
                     continue
+                if model.name == _OTHER_FACTOR:
+                    known = self._of_known_forces(variation, m)
+                    if known is None:
+                        continue
+                    variation = known
                 number += 1
                 if number > MAX_RESTING_MODELS:
                     return
                 yield variation, self._at_rest(changed)
+
+    def _of_known_forces(self, variation: Variation, m: Mechanics) -> Variation | None:
+        """A variation in which some forces have another factor; None if these are asked for.
+
+        Of two forces that balance, one twice as large is the other one at half the distance.
+        """
+        assert variation.mechanics is not None
+        pairs = [*zip(m.forces, variation.mechanics.forces, strict=True)]
+        scaled, rest = [f for f, g in pairs if f != g], [f for f, g in pairs if f == g and any(f.shares)]
+        if all(any(not s.free_symbols.isdisjoint(self.equilibrium.forces) for s in f.shares) for f in scaled):
+            return None
+        size = next((w for w in _INVERSE if variation.clause.endswith(w)), "")
+        if not size or any(f.kind not in _ACTING_SOMEWHERE for f in scaled):
+            return variation
+        clause = f"{variation.clause}, or acting at {size.split()[0]} the distance"
+        if len(rest) == 1 and rest[0].kind in _ACTING_SOMEWHERE:
+            clause = f"{clause}, or for {name_of(rest[0])} acting at {_INVERSE[size]} the distance"
+        return replace(variation, clause=clause)
 
     def _driven(self, inertias: Sequence[Inertia]) -> bool:
         return any(c != 0 for i in inertias for c in i.columns[-1])
@@ -227,10 +253,7 @@ class WrongEquilibria:
             if all(
                 r is not None and self.resting.balanced(forces, r) for r in self.rules
             ) and not self.resting.balanced(forces, {}):
-                size = next((w for w in ("twice as large", "half as large") if variation.clause.endswith(w)), "")
-                acts = size and variation.clause.startswith(("for the weight", "for the force"))
-                arm = f", or acting at {size.split()[0]} the distance" if acts else ""
-                return f"{variation.clause}{arm}"
+                return variation.clause
         return ""
 
     def of_one_force(self, problem: Problem) -> str:
@@ -258,6 +281,30 @@ class WrongEquilibria:
         except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
             return ""
 
+    def of_displacement(self) -> str:
+        """The relation between the displacements of two coordinates which the one wrong alternative implies, with the
+        forces as they are, in a sentence; empty if it depends on the forces, or there are other coordinates."""
+        resting = self.resting
+        if len(self.rules) != 1 or len(resting.rows) != 1 or len(resting.slots.coordinates) != 2:
+            return ""
+        [rule], [row] = self.rules, resting.rows
+        if rule is None or any(s in resting.slots.coordinates for s in rule):
+            return ""
+        put = [sp.cancel(sp.together(f.xreplace(resting.values).xreplace(rule))) for f in resting.own]
+        straight = sorted(
+            range(2), key=lambda k: any(resting.slots.coordinates[k] in w.free_symbols for w in _waves(row))
+        )
+        moved, free = straight
+        if 0 in (put[moved], row[moved]):
+            return ""
+        stated, right = (sp.factor(sp.cancel(-f[free] / f[moved])) for f in (put, row))
+        forces = stated.free_symbols - right.free_symbols
+        if forces or stated == right or sp.count_ops(stated) > 2 * sp.count_ops(right):
+            return ""
+        q, d = (f"d{resting.slots.coordinates[k]}" for k in (moved, free))
+        way = f"{q} = {written(stated, resting.slots)}*{d}"
+        return f"with these forces it would be right for the displacements {way}, which the constraint does not give"
+
     def missing_factor(self, lhs: sp.Expr, rhs: sp.Expr) -> sp.Expr | None:
         """What the right side of the one wrong equation has to be multiplied by; None if that is no product of powers
         of a few letters."""
@@ -280,6 +327,10 @@ class WrongEquilibria:
         parts = [p.as_base_exp()[0] for p in sp.Mul.make_args(value) if not p.is_Rational]
         plain = all(p.is_Symbol or isinstance(p, sp.sin | sp.cos | sp.tan) for p in parts)
         return value if plain and len(parts) <= MOST_RESTING_FACTORS else None
+
+
+def _waves(expressions: Sequence[sp.Expr]) -> set[sp.Basic]:
+    return {w for e in expressions for w in e.atoms(sp.sin, sp.cos)}
 
 
 def angles_and_lengths(stated: Sequence[sp.Expr], e: Equilibrium) -> Iterator[Variation]:

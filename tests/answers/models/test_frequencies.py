@@ -8,6 +8,9 @@ from tests.answers.results.diagnoses import Row, assert_explained, diagnoses
 
 WRONG: list[Row] = [
     ("triatomic-molecule", "frequencies", ["0", "sqrt(2*c/M)"], "that is the frequency of x2 with the other"),
+    # the reduced mass of two atoms: one mode is wrong, and no mass is twice as large
+    ("triatomic-molecule", "frequencies", ["0", "sqrt(c/m)", "sqrt(c/m*(1 + m/M))"], "half the term 2*c/M is there"),
+    ("triatomic-molecule", "frequencies", ["0", "sqrt(2*c/m)", "sqrt(c/m*(1 + 2*m/M))"], "a factor sqrt(2) too many"),
     ("bead-on-rotating-hoop", "frequencies", [["sqrt(g/R)"]], "for a frame or support that does not move"),
 ]
 

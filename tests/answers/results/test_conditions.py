@@ -109,3 +109,24 @@ def test_the_exponential_is_solved_for_the_coefficient() -> None:
     assert in_logarithms(EXACT) == MU * BETA - sp.log(S / P)
     assert in_logarithms(S - P) == S - P
     assert not [*belt_meanings([S - MU * P], [MU])]
+
+
+# Belts and angles of friction
+
+
+WRONG_LIMITS: list[Row] = [
+    ("band-brake", "equilibrium", ["P = M*a/(r*l*mu)"], "a friction mu times the tension, as of a block"),
+    ("band-brake", "equilibrium", ["P = M*a/(r*l*exp(mu*beta))"], "without the tension of the slack side on the drum"),
+    (
+        "band-brake",
+        "equilibrium",
+        ["P = M*a*exp(mu*beta)/(r*l*(exp(mu*beta) - 1))"],
+        "the tension of the tight side of the belt stands where that of the slack side belongs",
+    ),
+    ("square-threaded-screw", "equilibrium", ["M = W*r*tan(alpha + mu)"], "taken for the angle of friction"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG_LIMITS)
+def test_belts_and_angles_of_friction(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)

@@ -51,9 +51,45 @@ WRONG_INSTANTS: list[Row] = [
     ),
     ("thrown-stone", "ask", {"time": "v*sin(alpha)/g"}, "then y' = 0"),
     ("thrown-stone", "ask", {"range": "v^2*sin(2*alpha)/(2*g)"}, "there y' = 0"),
+    ("thrown-stone", "ask", {"path": "x*tan(alpha) - g*x^2/(2*v^2)"}, "no division by cos(alpha)^2 in the term"),
 ]
 
 
 @pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG_INSTANTS)
 def test_times_places_and_motions(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
+# Forces of constraints
+
+
+FREE = "this is the acceleration without the forces of the constraints, as if it moved freely"
+OF_REACTIONS: list[Row] = [
+    ("rod-cut-loose", "ask", {"falling": "-g"}, FREE),
+    ("rod-cut-loose", "ask", {"turning": "0"}, FREE),
+    ("rear-wheel-drive", "ask", {"greatest": "mu*m*g"}, "N_A is taken as the whole weight"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), OF_REACTIONS)
+def test_reactions_left_out_or_taken_as_the_weight(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
+# The acceleration at the start
+
+
+FIRST = "the acceleration at the start is taken as constant, and it changes"
+OF_THE_START: list[Row] = [
+    ("boat-that-drifts", "ask", {"in_all": "m*v/(2*b)"}, FIRST),
+    ("boat-that-drifts", "ask", {"half": "m/(2*b)"}, FIRST),
+    ("stone-in-linear-drag", "ask", {"time": "v/(g + c*v/m)"}, FIRST),
+    ("fall-through-air", "ask", {"speed": "sqrt(2*g*h)"}, "without c, as if c = 0"),
+    ("coasting-away", "ask", {"time": "3*R/sqrt(2*K/R)"}, "the velocity at the start is taken for the whole way"),
+    ("wandering-energy", "ask", {"first": "a*cos(sqrt((k + c)/m)*t)"}, "the motion with y held fast"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), OF_THE_START)
+def test_an_acceleration_taken_as_constant(problem: str, key: str, stated: object, said: str) -> None:
     assert_explained(problem, key, stated, said)

@@ -68,6 +68,24 @@ def test_contributions_of_one_force(problem: str, key: str, stated: object, said
     assert_explained(problem, key, stated, said)
 
 
+# Displacements and factors
+
+
+WRONG_ARMS: list[Row] = [
+    # the connecting rod taken as level: dx = -r sin(theta) dtheta
+    ("slider-crank", "equilibrium", ["P*sin(theta) = Q"], "right for the displacements dx = -r*sin(theta)*dtheta"),
+    ("bifilar-suspension", "equilibrium", ["M = W*a^2*sin(theta)/(2*z)"], "the weight of `bar` half as large"),
+    ("lazy-tongs", "equilibrium", ["P = 3*W*tan(theta)"], "sine and cosine exchanged in the lever arm of the force"),
+    ("lazy-tongs", "equilibrium", ["P*tan(theta) = 6*W"], "or for the force `draw` acting at half the distance"),
+    ("roberval-balance", "equilibrium", ["P*f = W*d"], "the conditions of equilibrium do not depend on d, f"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG_ARMS)
+def test_arms_and_displacements(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
 # Resting reactions
 
 
