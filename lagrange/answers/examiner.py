@@ -41,7 +41,7 @@ from lagrange.answers.verdicts import (
     Judgement,
     Verdict,
 )
-from lagrange.answers.written.lines import has_sign_of_equality
+from lagrange.answers.written.joined_lines import has_sign_of_equality
 from lagrange.answers.written.values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for

@@ -33,7 +33,8 @@ from lagrange.answers.questions.stated_constraints import stated_in_words
 from lagrange.answers.questions.values_in_text import is_expressions, with_sign_after_names
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.cases import with_cases
-from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined_lines
+from lagrange.answers.written.joined_lines import has_sign_of_equality, is_mathematics, joined_lines
+from lagrange.answers.written.lines import equations_of_line
 from lagrange.answers.written.notation.documents import (
     cells_of_row,
     is_list_of_dashes,

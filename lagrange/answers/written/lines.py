@@ -14,6 +14,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.answers.written.cases import with_cases
+from lagrange.answers.written.joined_lines import KNOWN, LINKING, joined_lines
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
@@ -22,7 +23,6 @@ from lagrange.answers.written.values import (
     CONDITIONAL,
     STABILITY,
     exact_results,
-    is_about,
     with_equality,
     with_place_first,
     without_star,
@@ -33,7 +33,6 @@ from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import is_inequality
-from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
@@ -82,21 +81,6 @@ _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
 _NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
-_KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
-_LINKING_WORDS = """
-then so thus hence therefore and we get obtain obtained have find gives give the equation equations of motion is are
-where with let set define eom finally which yields yield using since because from newton newtons also now again
-substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
-die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
-est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
-otherwise else sonst sinon ansonsten got hi hello but however instead rather aber sondern
-its your my follows follow it i.e e.g eq eqn or
- energy kinetic potential lagrangian euler lagrange linear linearised linearized
-small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
-constraint constraints rolling condition relation at ode odes differential second order system be case gleichung
-bewegungsgleichung mit und dann fuer für folgt damit somit wobei
-"""
-_LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
     r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
@@ -117,15 +101,10 @@ _EQ = re.compile(
     r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve|(?:Full)?Simplify|simplify|[Ee]xpand)\s*(?=\[|\()"
 )
 _MAPLE = re.compile(r"(?<=[A-Za-z0-9_])\s*\$\s*([1-4])(\s*[,)])")
-_MATHEMATICS = re.compile(r"['^*/\\_=\u0300-\u036f′″¨˙²³½·−√()]|\d|[" + "".join(GREEK) + "]")
-_ENDS_OPEN = re.compile(r"(?:[-+*/=−·(,&]|\\cdot|\\times|\\left\()\s*\Z")
-_BEGINS_OPEN = re.compile(r"\s*(?:&\s*)?(?:[-+*/−·)]|\\cdot|\\times|=(?!=?>))")
-_BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
 
 
 _RULES = re.compile(r"\s*(?:Out\[[0-9]{0,4}\]\s*=)?\s*\{\s*\{?\s*\w+'*(?:\[t\])?\s*->")
 _RULE = re.compile(r"->")
-_OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
 _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
 
 
@@ -133,38 +112,6 @@ _PLACE_BEFORE = re.compile(
     r"\s*(?:about|around|near|at)\s+[^:=]{1,30}(?:=[^:=]{1,20}){1,3}:\s+(?=[^=]*=)", re.IGNORECASE
 )
 """The place for which an equation holds, before it: `about θ = 0: ω = sqrt(g/R)`."""
-
-
-def has_sign_of_equality(line: str) -> bool:
-    """Whether a line has an equation: a `=`, or what stands for it."""
-    return _OTHER_EQUALS.search(line) is not None or is_about(line)
-
-
-def is_mathematics(line: str) -> bool:
-    """Whether a line without `=` may be a part of an equation, and is no prose."""
-    words = [w for w in re.findall(r"[^\W\d_]{2,}", line) if w.lower() not in _KNOWN]
-    prose = [w for w in words if len(w) > 3 or w.lower() in _LINKING]
-    return bool(_MATHEMATICS.search(line)) and not prose and not line.rstrip().endswith(":")
-
-
-def joined_lines(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
-    """Adjoining lines, each with its place and text, put together where one continues the other."""
-    parts: list[tuple[int, int]] = []
-    equals = mathematics = False
-    last = ""
-    for start, end, line in lines:
-        has = "=" in line
-        if parts and mathematics and (has or is_mathematics(line)):
-            waits = bool(_ENDS_OPEN.search(last))
-            goes_on = bool(_BEGINS_OPEN.match(line)) and not (has and equals and not _BEGINS_EQUAL.match(line))
-            alone = not equals and has and not _MATHEMATICS.search(last)
-            if ((waits and not (equals and has and not last.rstrip().endswith("="))) or goes_on) and not alone:
-                parts[-1] = (parts[-1][0], end)
-                equals, last = equals or has, line
-                continue
-        parts.append((start, end))
-        equals, mathematics, last = has, has or is_mathematics(line), line
-    return parts
 
 
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
@@ -393,7 +340,7 @@ def _is_prose(text: str) -> bool:
     words = re.findall(r"[A-Za-zÀ-ÖØ-öø-ÿ]{2,}", text)
     if _SIGNS.search(text):
         return False
-    return any(len(w) > 3 for w in words) and not any(w.lower() in _KNOWN for w in words)
+    return any(len(w) > 3 for w in words) and not any(w.lower() in KNOWN for w in words)
 
 
 def _from_call(fragment: Fragment, opening: int, beside: str) -> Iterator[Fragment]:
@@ -448,7 +395,7 @@ _NAME_AND_COMMA = re.compile(r"[^\W\d]\w{0,12}\s*,\s+(?=[^=,]{1,40}=)")
 def _is_known(word: str) -> bool:
     """Whether a word is mathematics: a function, a Greek letter, or a function of one, `cosθ`."""
     plain = word.rstrip(".,:").lower()
-    return plain in _KNOWN or _OF_GREEK.fullmatch(plain) is not None
+    return plain in KNOWN or _OF_GREEK.fullmatch(plain) is not None
 
 
 _OF_GREEK = re.compile(rf"(?:arc|a)?(?:sin|cos|tan|cot|exp|sqrt|ln|log)[{''.join(GREEK)}]\w?")
@@ -468,7 +415,7 @@ def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     plain = word.rstrip(".,:").lower()
     if _is_known(plain):
         return word.endswith(":")
-    if plain in _LINKING or word.endswith(":"):
+    if plain in LINKING or word.endswith(":"):
         return True
     if len(plain) > (2 if words > 1 else 3) and _NAMES_NEXT.match(text, at, end):
         return True
@@ -502,7 +449,7 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
     pieces = []
     (first, end), *_ = parts
     between = _LONG_WORDS.findall(fragment.text[end : parts[-1][0]])
-    prose = any(word.lower() not in _KNOWN for word in between) and "\\" not in fragment.text
+    prose = any(word.lower() not in KNOWN for word in between) and "\\" not in fragment.text
     vanishes = fragment.text[slice(*parts[-1])].strip(" $&.,;") == "0"  # δW = W δy - P δx = 0
     from_first = _OPERATOR.search(fragment.text, first, end) is None and not prose and not vanishes
     for (start, _), (begin, last) in pairwise(parts):
