@@ -160,7 +160,7 @@ class Examiner:
             known = self._statics_reference.scope.names()
             return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
         if solution is not None and self.asks_for_conditions and asks_for_rest_alone(solution):
-            from lagrange.answers.friction.rest_conditions import check_limits
+            from lagrange.answers.friction.stated_limits import check_limits
 
             limits = check_limits(answer, conditions_of_rest(solution), self._statics_reference, solution)
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (limits,))

@@ -26,7 +26,6 @@ from lagrange.answers.results.at_random import approximate, root_near
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import all_hold, record
-from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import limit_of
@@ -131,62 +130,6 @@ def _explained(
     return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 
 
-def check_limits(
-    stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference, solution: Solution
-) -> AnswerVerdict:
-    """The verdict on limits that are stated by equations: Q_max = ..., Q_min = ..., mu = ... = 0.311.
-
-    A limit without an index is meant as an upper or a lower one, whichever is right.
-    """
-    verdicts = [
-        check_rest_answers(conditions, rests, reference, solution) for conditions in _as_conditions(stated, reference)
-    ]
-    if not verdicts:
-        return check_rest_answers(stated, rests, reference, solution)
-    order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG, Verdict.UNREADABLE)
-    return min(verdicts, key=lambda v: order.index(v.verdict))
-
-
-def _as_conditions(stated: Sequence[Fragment], reference: Reference) -> Iterator[list[Fragment]]:
-    """Inequalities for equations between a name and its limits, in both senses where no index tells the sense."""
-    pieces: list[tuple[Fragment, str, Fragment]] = []
-    for f in stated:
-        sides = _pieces(f, _EQUALS)
-        if not 2 <= len(sides) <= 5:  # none at all in `=`
-            return
-        match = _EXTREMUM.fullmatch(sides[0].text.strip(" $"))
-        if match is None:
-            return
-        name = scope_name(match["name"], reference)
-        if name is None:
-            return
-        if any(u.name == name for u in reference.unknowns):  # working: T = P e^(mu beta)
-            continue
-        for side in sides[1:]:
-            pieces.append(
-                (f, f"{name} {{}} " if not match["which"] else f"{name} {_SENSES[match['which'][:3]]} ", side)
-            )
-    for sense in ("<=", ">="):
-        made = []
-        for f, start, side in pieces:
-            draft = Draft(f)
-            draft.apply([(0, len(f.text), f"{start.format(sense)}{side.text}")])
-            made.append(draft.finished(latex=is_latex(f)))
-        if made:
-            yield made
-
-
-def scope_name(written: str, reference: Reference) -> str | None:
-    """The declared name that a text is; None if it is none."""
-    name = reference.scope.spelling("".join(GREEK.get(c, c) for c in written.replace("\\", "")))
-    return name if name in reference.declared else None
-
-
-_EQUALS = re.compile(r"(?<![<>!=:])=(?![=>])|\\approx(?![A-Za-z])|≈")
-_SENSES = {"min": ">=", "max": "<="}
-_EXTREMUM = re.compile(
-    r"(?P<name>\\?[^\W\d_]+?(?:_?[0-9])?)(?:_?\s*\{?\s*\\?(?:text|mathrm|rm)?\s*\{?\s*(?P<which>min|max)[a-z]{0,4}\s*\}?\s*\}?)?"
-)
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
 _A_NUMBER = re.compile(r"[\s\d.]+[\s$]*")
 _AND = re.compile(
@@ -197,7 +140,7 @@ _EXTREME = re.compile(r"\s*\\?(?P<which>min|max|Min|Max)\s*(?:\\left\s*)?(?P<ope
 
 def _each(fragment: Fragment) -> Iterator[Fragment]:
     """The conditions in a text: a <= b <= c is two, and so are `a and b` and a <= min(b, c)."""
-    parts = _pieces(fragment, _AND)
+    parts = pieces(fragment, _AND)
     if not all(_RELATION.search(p.text) for p in parts):
         parts = [fragment]
     for part in parts:
@@ -211,7 +154,8 @@ def _each(fragment: Fragment) -> Iterator[Fragment]:
             yield from _without_extremes(piece)
 
 
-def _pieces(fragment: Fragment, separator: re.Pattern[str]) -> list[Fragment]:
+def pieces(fragment: Fragment, separator: re.Pattern[str]) -> list[Fragment]:
+    """What stands between separators, as far as there is anything."""
     return [cut(fragment, *place) for place in cuts(fragment.text, separator) if fragment.text[slice(*place)].strip()]
 
 

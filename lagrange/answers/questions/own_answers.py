@@ -201,12 +201,20 @@ def conditions_of_rest(solution: Solution) -> list[Rest | Rolling]:
 def compared_impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria with friction at its limit, in the coordinates where it is best."""
     from lagrange.answers.friction.impending import check_impending_answers
+    from lagrange.answers.friction.stated_limits import are_reversed
 
     reference = reference_of_solution(solution)
     verdicts = [
         check_impending_answers(alternatives, v.impending, reference, solution) for v in solution.views if v.impending
     ]
-    return replace(max(verdicts, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
+    best = replace(max(verdicts, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
+    stated, rests = [f for a in alternatives for f in a], conditions_of_rest(solution)
+    if best.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) and are_reversed(stated, rests, reference, solution):
+        return replace(best, verdict=Verdict.WRONG, diagnosis=_REVERSED)
+    return best
+
+
+_REVERSED = "the upper limit is stated as the lower one, or the other way round"
 
 
 def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:

@@ -415,8 +415,12 @@ def _is_force(value: sp.Expr, units: Mapping[sp.Symbol, str]) -> bool | None:
     return None if stated is None else stated == dimension_of_unit("N")
 
 
+_EXTREME_INDEX = re.compile(r"_\s*(?:\{\s*)?(?:\\(?:text|mathrm)\s*\{\s*)?\\?(max|min)(?![A-Za-z])(?:\s*\})*")
+
+
 def spelled_out(text: str) -> str:
-    """θ₁ as theta_1."""
+    """θ₁ as theta_1, and P_{\\max} as P_max."""
+    text = _EXTREME_INDEX.sub(r"_\1", text)
     text = re.sub(f"[{''.join(SUBSCRIPTS)}]+", lambda m: "_" + "".join(SUBSCRIPTS[c] for c in m[0]), text)
     return "".join(f" {GREEK[c]}" if c in GREEK else c for c in text)
 

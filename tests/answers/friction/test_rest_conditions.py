@@ -5,9 +5,7 @@ from __future__ import annotations
 import pytest
 
 from lagrange.answers.examiner import check_answer
-from lagrange.answers.friction.rest_conditions import _as_conditions
 from lagrange.answers.questions.own_answers import compared_answers
-from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment
 from tests.mechanics.equilibrium.friction.test_conditions_of_rest import COLLAR, HELD, SMOOTH, STACKED
 from tests.mechanics.equilibrium.friction.test_friction_at_rest import ROUGH, Read, solved
@@ -55,11 +53,6 @@ def test_conditions_as_an_answer(problem: Read, text: str, answer: list[str], ve
     """`check -e` reads inequalities, alone and beside the limit."""
     judged = check_answer(problem(text), tuple(map(Fragment.of, answer)))
     assert judged.verdict.value == verdict
-
-
-def test_an_equation_without_sides_states_no_limit() -> None:
-    """It ended with an IndexError (the fuzzers' seed 65910076)."""
-    assert not [*_as_conditions([Fragment.of("=")], Reference.__new__(Reference))]
 
 
 CRATE = """title: Crate that is pushed
