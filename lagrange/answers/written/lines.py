@@ -93,7 +93,8 @@ _WHERE_VALID = re.compile(
 )
 """Where an equation is valid: `(r > 0)`. A sign of a velocity is no such remark, since friction depends on it."""
 _AFTER_COMMA = re.compile(
-    r",\s+(?=[^\W\d_]{2,}(?:-[^\W\d_]+)*(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
+    rf",\s+(?!(?:{'|'.join(sorted(KNOWN - {'eq'}))})(?![^\W\d_]))"
+    r"(?=[^\W\d_]{2,}(?:-[^\W\d_]+)*(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
 )
 """Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
@@ -180,12 +181,18 @@ def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str
     own = [s for s in signs if start <= s < stop]
     if not remarks or not own:
         return ""
-    before = remarks[0].start() < signs[0]
-    others = [s for s in signs if (s < own[0] if before else s > own[-1])]
-    limit = (others[-1:] or [-1])[0] if before else (others[:1] or [len(text)])[0]
-    return "; ".join(
-        _bare(m[0]) for m in remarks if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)
-    )
+    ahead = [m for m in remarks if _PLACE_NEXT.match(text, m.end())]
+    said = [m for m in ahead if own[0] == next((s for s in signs if s >= m.end()), None)]
+    if others := [m for m in remarks if m not in ahead]:
+        before = others[0].start() < signs[0]
+        beyond = [s for s in signs if (s < own[0] if before else s > own[-1])]
+        limit = (beyond[-1:] or [-1])[0] if before else (beyond[:1] or [len(text)])[0]
+        said += [m for m in others if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)]
+    return "; ".join(_bare(m[0]) for m in said)
+
+
+_PLACE_NEXT = re.compile(r"\s*(?:at|in|for|near|around|about|bei|um|für|en|à|pour)\s+[^\s=<>≤≥]{1,16}\s*=(?!=)")
+"""The place that a remark on stability is about, after it: `stable at θ = 0`."""
 
 
 def _bare(remark: str) -> str:

@@ -22,8 +22,9 @@ from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, has_
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of
+from lagrange.answers.written.values import with_all_values
 from lagrange.answers.written.working import understood
-from lagrange.core.diagnostics import Fragment, ProblemError, Span
+from lagrange.core.diagnostics import Fragment, ProblemError, Severity, Span
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
 
@@ -44,7 +45,7 @@ def with_results_beside(answer: Sequence[Fragment], judged: Judgement, solution:
     """The verdict on complete equations of motion, with that on other results that are asked for and stated."""
     if judged.verdict is not Verdict.EQUIVALENT:
         return judged
-    spans = [d.span for d in judged.messages if d.code == "not-judged" and d.span is not None]
+    spans = [d.span for d in judged.messages if d.span and (d.code == "not-judged" or d.level is Severity.ERROR)]
     lines = [f for f in answer if is_inequality(f) or any(_overlap(f.span(0, len(f.text)), s) for s in spans)]
     found = [v for v in _verdicts(lines, answer, solution) if v.verdict in _SETTLED] if lines else []
     return replace(judged, others=(*judged.others, *found)) if found else judged
@@ -72,7 +73,7 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
         if positions:
             from lagrange.answers.questions.equilibrium_in_text import positions_of
 
-            found = positions_of(positions, solution)
+            found = positions_of(with_all_values(positions, reference.scope.names()), solution)
             if found is not None:
                 yield found[0]
         claims = [f for f in lines if STABLE.search(getattr(f, "beside", ""))]
