@@ -8,8 +8,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 
 from lagrange.answers.friction.rest_conditions import check_rest_answers, pieces
+from lagrange.answers.limits import MOST_LIMITS
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
@@ -70,14 +72,17 @@ def _as_conditions(
         for side in sides[1:]:
             sense = (senses or _SENSES)[match["which"][:3]] if match["which"] else "{}"
             limits.append((f, f"{name} {sense} ", side))
-    for sense in ("<=", ">="):
+    free = [*dict.fromkeys(id(f) for f, start, _ in limits if "{}" in start)]
+    if len(free) > MOST_LIMITS:
+        return
+    for chosen in product(("<=", ">="), repeat=len(free)) if limits else ():  # each may be of another kind
+        sense_of = dict(zip(free, chosen, strict=True))
         made = []
         for f, start, side in limits:
             draft = Draft(f)
-            draft.apply([(0, len(f.text), f"{start.format(sense)}{side.text}")])
+            draft.apply([(0, len(f.text), f"{start.format(sense_of.get(id(f), ''))}{side.text}")])
             made.append(draft.finished(latex=is_latex(f)))
-        if made:
-            yield made
+        yield made
 
 
 def scope_name(written: str, reference: Reference) -> str | None:

@@ -15,6 +15,7 @@ from itertools import pairwise
 
 from lagrange.answers.written.cases import with_cases
 from lagrange.answers.written.joined_lines import KNOWN, LINKING, joined_lines
+from lagrange.answers.written.notation.habits import in_usual_signs
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
@@ -405,6 +406,7 @@ def _is_known(word: str) -> bool:
     return plain in KNOWN or _OF_GREEK.fullmatch(plain) is not None
 
 
+_DIFFERENTIAL = re.compile(rf"[dδ][qrstxyz{''.join(GREEK)}]")
 _OF_GREEK = re.compile(rf"(?:arc|a)?(?:sin|cos|tan|cot|exp|sqrt|ln|log)[{''.join(GREEK)}]\w?")
 
 
@@ -412,7 +414,7 @@ def _prose_words(text: str, at: int, end: int) -> int:
     """The number of words with which a sentence begins: of at least two words one is long, and none is mathematics."""
     number, long = 0, False
     while word := _NEXT_WORD.match(text, at, end):
-        if _is_known(word[1]) or (len(word[1]) == 1 and number == 0):
+        if _is_known(word[1]) or _DIFFERENTIAL.fullmatch(word[1]) or (len(word[1]) == 1 and number == 0):
             break
         number, long, at = number + 1, long or len(word[1]) > 4, word.end()
     return number if number > 1 and long else 0
@@ -420,7 +422,7 @@ def _prose_words(text: str, at: int, end: int) -> int:
 
 def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     plain = word.rstrip(".,:").lower()
-    if _is_known(plain):
+    if _is_known(plain) or _DIFFERENTIAL.fullmatch(plain):
         return word.endswith(":")
     if plain in LINKING or word.endswith(":"):
         return True
@@ -535,7 +537,7 @@ def conditions_of(fragment: Fragment) -> list[Fragment]:
 def _separated(fragment: Fragment) -> list[Fragment]:
     if isinstance(fragment, OneEquation):
         return [fragment]
-    if (cases := with_cases(fragment.text)) != fragment.text:
+    if (cases := with_cases(in_usual_signs(fragment.text))) != fragment.text:
         fragment = Fragment.of(cases, fragment.whole.source.name)
     if is_latex(fragment):
         fragment = replace(fragment, text=with_bracketed_arrays(fragment.text))

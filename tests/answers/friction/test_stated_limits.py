@@ -41,3 +41,15 @@ def test_which_limit_is_which(answer: tuple[str, ...], verdict: str) -> None:
 def test_an_equation_without_sides_states_no_limit() -> None:
     """It ended with an IndexError (the fuzzers' seed 65910076)."""
     assert not [*_as_conditions([Fragment.of("=")], Reference.__new__(Reference))]
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        (("S = P*exp(mu*beta)", "mu = log(50)/(4*pi)"), "equivalent"),
+        (("S = P*exp(mu*beta)", "mu = log(50)/(2*pi)"), "wrong"),
+    ],
+)
+def test_each_limit_may_be_of_another_kind(answer: tuple[str, ...], verdict: str) -> None:
+    examiner = Examiner(loaded("hawser-on-a-bollard"), solved("hawser-on-a-bollard"))
+    assert examiner.check(tuple(map(Fragment.of, answer))).verdict.value == verdict

@@ -1,0 +1,50 @@
+r"""Habits of writing that change no mathematics, put into usual signs before a text is taken apart.
+
+    \stackrel{!}{=}   \overset{(1)}{=}             =
+    \sum F_A = 0:\ m g - N = 0                     m g - N = 0: the name of a law before its equation
+    \sum F_x = -k x = m \ddot x                    -k x = m \ddot x
+    p = m r^2 \dot\phi = \text{const.}             p = m r^2 \dot\phi = \text{const}
+    \theta = 0 \lor \cos\theta = a    θ = 0 ∨ ...  \theta = 0 \text{ or } \cos\theta = a
+    \sin\theta = \frac{M}{m} \quad (M < m)         \sin\theta = \frac{M}{m}
+
+Whatever is omitted becomes spaces, so that every place stays where it is; an `or` takes more room than its sign.
+"""
+
+from __future__ import annotations
+
+import re
+
+_LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
+_CONST = re.compile(r"(?<=\{)(\s*[Kk]onst|\s*const|\s*[Cc]st)\.(?=\s*\})")
+_SUM = r"\\sum(?![A-Za-z])(?:\\limits|_(?:\{[^{}]{0,12}\}|\w))?[^=:$\n&;,]{1,40}?"
+_LAW_BEFORE = re.compile(
+    rf"{_SUM}&?\s*(?:=|\\stackrel\{{!\}}\{{=\}})\s*&?\s*[^=:$\n&;,]{{1,24}}?"
+    r"(?::|\\(?:Rightarrow|Longrightarrow|implies|quad|qquad|to|rightarrow)(?![A-Za-z]))(?=[^$\n]*?=)"
+)
+_LAW_IN_CHAIN = re.compile(rf"{_SUM}&?\s*=(?=[^=$\n;:]{{1,200}}=)")
+_OR = re.compile(r"\\(?:lor|vee)(?![A-Za-z])")
+_OR_SIGN = re.compile(r"\s?∨\s?")
+_SIGN = r"(?:[<>≤≥≠]|\\(?:[lg]eq?|neq?|[lg]eqslant)(?![A-Za-z]))"
+_SIZE = r"\\?(?:left|right|big|Big)?"
+_CONDITION = re.compile(
+    rf"(?:\\q?quad(?![A-Za-z])|\\[,;:! ]|~|\s)\s*{_SIZE}\s*\((?=[^()]*{_SIGN})[^(){{}}$\n=]{{1,80}}{_SIZE}\)"
+    r"(?=\s*[.,;]?\s*(?:\$|\\\]|\\\)|\\\\|\\end|\Z))"
+)
+"""A condition in parentheses at the end of an equation in LaTeX, which has no rate: friction depends on its sign."""
+
+
+def in_usual_signs(text: str) -> str:
+    """The text without these habits."""
+    if "\\" in text:
+        text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
+        text = _CONST.sub(r"\1 ", text)
+        if "\\sum" in text:
+            text = _LAW_BEFORE.sub(_blank, text)
+            text = _LAW_IN_CHAIN.sub(_blank, text)
+        text = _OR.sub(r"\\text{ or }", text)
+        text = _CONDITION.sub(lambda m: m[0] if "dot" in m[0] or "'" in m[0] else _blank(m), text)
+    return _OR_SIGN.sub(r" \\text{ or } " if "\\" in text else " or ", text)
+
+
+def _blank(match: re.Match[str]) -> str:
+    return " " * len(match[0])
