@@ -47,9 +47,14 @@ _BETWEEN = (
     r"(?:\s+that)?[,:]?\s+(?=[^=]*=)"
 )
 """Words between two equations."""
+_REACHED = (
+    r"(?<=[\w)\]²³'])\s+(?:(?:is|and|which|it|wird)\s+){0,2}(?:reached|attained|occurs?|happens?|erreicht|atteinte?)"
+    r"\s+(?:at|after|when|for|bei|nach|zur Zeit|à)\s(?=[^=]*=)"
+)
+"""Words between a value and its time: `x = 2 m g/k reached at t = ...`."""
 _SEPARATOR = re.compile(
-    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
-    rf"|{_BETWEEN}|{_SENTENCE}|\\n"
+    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:at|for|bei|für|pour)\s+(?=(?:cos|sin|tan)[^=]{{1,20}}=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
+    rf"|{_BETWEEN}|{_REACHED}|{_SENTENCE}|\\n"
 )
 _LEADS_ON = re.compile(_BETWEEN)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
@@ -520,15 +525,20 @@ def condition_alone(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
-_CASE = re.compile(r"[^:=]*[<>≤≥][^:=]*:\s(?=[^:]*[=<>≤≥])")
+_CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 """A case, which has a result of its own: `if mu < b/h: P_max = ...`."""
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 
 
+_BETWEEN_CONDITIONS = re.compile(
+    r"[,;]|\bi\.\s?e\.|\bor equivalently\b|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
+)
+
+
 def conditions_of(fragment: Fragment) -> list[Fragment]:
     """The parts of a text between commas, if each of them is an equation or an inequality."""
-    places = [*cuts(fragment.text, re.compile(r"[,;]|\bi\.\s?e\.|\bor equivalently\b"))]
+    places = [*cuts(fragment.text, _BETWEEN_CONDITIONS)]
     places = [(start, end) for start, end in places if fragment.text[start:end].strip()]
     parts = [_part(fragment, start, end) for start, end in places]
     return parts if all("=" in p.text or is_inequality(p) for p in parts) else [fragment]

@@ -408,9 +408,11 @@ class _Sorting:
         except ProblemError:
             return "", ""
         texts = [w for w in texts if w not in ("|",)]
+        if any(is_rate(w, self.scope) for w in texts):
+            return "", ""
         match texts:
             case [name] if is_name(name):
-                return ("", "") if is_rate(name, self.scope) else (name, "")
+                return name, ""
             case [name, "^", "2"] if is_name(name):
                 return name, "^2"
             case [("sin" | "cos" | "tan") as function, "(", name, ")"] if is_name(name):
