@@ -517,12 +517,18 @@ def condition_alone(fragment: Fragment) -> Fragment:
         inside = [m for m in _BETWEEN_DOLLARS.finditer(draft.text) if re.search(r"[<>≤≥]|\\[gl]eq?", m[1])]
         ends = [0, *(x for m in inside for x in m.span(1)), len(draft.text)]
         between = [
-            (a, b, ", " if a > 0 and b < len(draft.text) else "") for a, b in zip(ends[::2], ends[1::2], strict=True)
+            (a, b, _joint(draft.text[a:b]) if a > 0 and b < len(draft.text) else "")
+            for a, b in zip(ends[::2], ends[1::2], strict=True)
         ]
         draft.apply(between if inside else [])
     else:
         draft.keep(_after_words(draft.text, 0, len(draft.text)), len(draft.text))
     return draft.finished(latex=is_latex(fragment))
+
+
+def _joint(words: str) -> str:
+    """What joins two conditions between which there are words."""
+    return r" \text{ or } " if re.fullmatch(r"[\s,;$]*(?:or|oder|ou)[\s,;$]*", words) else ", "
 
 
 _CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")

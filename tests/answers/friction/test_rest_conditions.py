@@ -126,6 +126,8 @@ find: equilibrium
     ("stated", "verdict"),
     [
         ("P <= mu*abs(W - P)", "equivalent"),
+        ("P^2 <= mu^2*(W - P)^2", "equivalent"),
+        ("P^2 <= mu*(W - P)^2", "wrong"),
         ("P <= mu*(W - P)", "incomplete"),  # N upwards; it may rest with N downwards, too
         ("P <= mu*(P - W)", "incomplete"),
         ("P <= mu*(W + P)", "wrong"),
@@ -136,3 +138,18 @@ def test_one_of_two_cases_is_incomplete(problem: Read, stated: str, verdict: str
     [answer] = compared_answers(solved(problem, f"{RING}answers: {{rest: [{stated}]}}\n"))
     assert answer.verdict.value == verdict
     assert ("one of several cases" in answer.diagnosis) is (verdict == "incomplete")
+
+
+@pytest.mark.parametrize(
+    ("text", "answer", "verdict"),
+    [
+        (ROUGH, "tan(theta) <= 2*mu_A/(1 - mu_A*mu_B) or mu_A*mu_B >= 1", "equivalent"),
+        (ROUGH, "tan(theta) <= mu_A/(1 - mu_A*mu_B) or mu_A*mu_B >= 1", "wrong"),
+        (ROUGH, "mu_A*mu_B >= 1", "incomplete"),
+        (ROUGH, "mu_A*mu_B >= 2", "wrong"),
+        (ROUGH, r"$\tan\theta \le \frac{2\mu_A}{1 - \mu_A\mu_B}$ or $\mu_A\mu_B \ge 1$", "equivalent"),
+        (STACKED, "F <= mu_1*m*g or F <= mu_2*(m + M)*g", "wrong"),
+    ],
+)
+def test_cases_of_rest(problem: Read, text: str, answer: str, verdict: str) -> None:
+    assert check_answer(problem(text), (Fragment.of(answer),)).verdict.value == verdict
