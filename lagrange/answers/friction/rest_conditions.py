@@ -240,9 +240,10 @@ def _in_parts(
 ) -> tuple[list[_Stated], list[list[_Stated]]]:
     """The stated conditions and those of each case, in the same coordinates and without absolute values."""
     numbers = dict(values)
+    forces = dict(rest.forces) if isinstance(rest, AtRest) else {}  # |F| <= mu*N, with N as it is at rest
 
     def valued(e: sp.Expr) -> sp.Expr:
-        return rest.configuration.rewritten(e).xreplace(numbers)
+        return rest.configuration.rewritten(e.xreplace(forces)).xreplace(numbers)
 
     given = [
         part

@@ -177,15 +177,21 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         yield check_hamiltonian_answer(answers.hamiltonian, solution)
 
 
-def compared_rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
-    """The verdict on the conditions of rest with friction."""
+def compared_rest(
+    solution: Solution, stated: Sequence[Fragment], defined: Mapping[str, sp.Expr] | None = None
+) -> AnswerVerdict:
+    """The verdict on the conditions of rest with friction; `defined` are names that the answer gives a meaning."""
     from lagrange.answers.friction.rest_conditions import check_rest_answers
 
     rests = conditions_of_rest(solution)
     if not rests:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
-    return check_rest_answers(stated, rests, reference_of_solution(solution), solution)
+    reference = reference_of_solution(solution)
+    if defined:
+        scope = replace(reference.scope, scalars={**reference.scope.scalars, **defined})
+        reference = replace(reference, scope=scope, declared=reference.declared | defined.keys())
+    return check_rest_answers(stated, rests, reference, solution)
 
 
 def asks_for_rest_alone(solution: Solution) -> bool:

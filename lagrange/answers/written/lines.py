@@ -550,9 +550,15 @@ def conditions_of(fragment: Fragment) -> list[Fragment]:
     return parts if all("=" in p.text or is_inequality(p) for p in parts) else [fragment]
 
 
+_BESIDE_CONDITION = re.compile(r"(?<=[\s,;$])(?:with|where|wobei|mit|avec|où)\s(?=[^=]*=)")
+
+
 def _separated(fragment: Fragment) -> list[Fragment]:
     if isinstance(fragment, OneEquation):
         return [fragment]
+    beside = cuts(fragment.text, _BESIDE_CONDITION)
+    if len(beside) > 1 and "\n" not in fragment.text and is_inequality(first := _part(fragment, *beside[0])):
+        return [first, *(e for place in beside[1:] for e in _separated(_part(fragment, *place)))]
     if (cases := with_cases(in_usual_signs(fragment.text))) != fragment.text:
         fragment = Fragment.of(cases, fragment.whole.source.name)
     if is_latex(fragment):
