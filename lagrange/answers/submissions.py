@@ -50,6 +50,7 @@ from lagrange.answers.written.notation.programs import declares, equations_of_pr
 from lagrange.answers.written.notation.rare import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
+from lagrange.expressions.edits import cuts
 from lagrange.expressions.latex_layout import LayoutMark, Region, delimited, equations, has_equation, marks_of, rows
 from lagrange.expressions.reader import is_inequality
 from lagrange.problem.model import Answers
@@ -136,16 +137,25 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
     """The lines with inequalities, each without words before it, and the other lines with equations."""
     number = 0
     for start, end in _lines(fragment.text):
-        line = fragment.text[start:end]
         if not is_inequality(_part(fragment, start, end)):
             yield from _in_lines(_part(fragment, start, end))
             continue
-        begins = start + _beginning(line, number, _BULLET)
-        number += 1
-        kept = fragment.text[begins:end].strip(" .,;\r")
-        kept = kept.strip(" $.,;") if kept.count("$") <= 2 and kept[:1] == kept[-1:] == "$" else kept
-        begins += fragment.text[begins:end].find(kept)
-        yield _part(fragment, begins, begins + len(kept))
+        places = [(start + a, start + b) for a, b in cuts(fragment.text[start:end], _BETWEEN_STATEMENTS)]
+        if all(is_inequality(_part(fragment, *place)) for place in places):
+            places = [(start, end)]
+        for begins, stop in places:
+            if not is_inequality(_part(fragment, begins, stop)):
+                yield from _in_lines(_part(fragment, begins, stop))
+                continue
+            begins += _beginning(fragment.text[begins:stop], number, _BULLET)
+            number += 1
+            kept = fragment.text[begins:stop].strip(" .,;\r")
+            kept = kept.strip(" $.,;") if kept.count("$") <= 2 and kept[:1] == kept[-1:] == "$" else kept
+            begins += fragment.text[begins:stop].find(kept)
+            yield _part(fragment, begins, begins + len(kept))
+
+
+_BETWEEN_STATEMENTS = re.compile(r";|==?>|⇒|⟹|→|->")
 
 
 def _check_size(fragment: Fragment) -> None:

@@ -220,7 +220,7 @@ def asked_in_text(
     wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
     has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
-        if _is_condition(fragment, questions, reference):
+        if _is_condition(fragment, questions, reference) or _is_condition(fragment, questions, wider):
             continue
         compared = [*_verdicts(fragment, questions, solution, reference)]
         if scalars and not any(v.verdict is Verdict.EQUIVALENT for _, v in compared):

@@ -509,7 +509,8 @@ class _Sorting:
     def _marks_a_coordinate(self, line: Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = _NUMBERED.sub(r"\1_\2", name).partition("_")
-        asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
+        asked = [*self.scope.slots.coordinates, *self.reference.unknowns]
+        asked += self.reference.parameters.values() if index in ("min", "max") else ()
         symbol = next((q for q in asked if q.name == coordinate), None)
         if symbol is None or not (index in AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
             return False

@@ -4,7 +4,7 @@ r"""Habits of writing that change no mathematics, put into usual signs before a 
     \sum F_A = 0:\ m g - N = 0                     m g - N = 0: the name of a law before its equation
     \sum F_x = -k x = m \ddot x                    -k x = m \ddot x
     p = m r^2 \dot\phi = \text{const.}             p = m r^2 \dot\phi = \text{const}
-    \theta = 0 \lor \cos\theta = a    θ = 0 ∨ ...  \theta = 0 \text{ or } \cos\theta = a
+    \theta = 0 \lor \cos\theta = a    θ = 0 ∨ ...  \theta = 0 \text{ or } \cos\theta = a, and so with `oder`, `ou`
     \sin\theta = \frac{M}{m} \quad (M < m)         \sin\theta = \frac{M}{m}
     cos θ = 2/3 (θ ≈ 48.2°)    m g 2R              cos θ = 2/3    m g*2R
     \frac{\mathrm dU}{\mathrm dr}                  \frac{dU}{dr}
@@ -28,6 +28,7 @@ _LAW_BEFORE = re.compile(
 )
 _LAW_IN_CHAIN = re.compile(rf"{_SUM}&?\s*=(?=[^=$\n;:]{{1,200}}=)")
 _OR = re.compile(r"\\(?:lor|vee)(?![A-Za-z])")
+_OR_IN_OTHER_WORDS = re.compile(r"(?<=[\s,{])(?:oder|ou|bzw\.)(?=[\s}])")
 _OR_SIGN = re.compile(r"\s?∨\s?")
 _SIGN = r"(?:[<>≤≥≠]|\\(?:[lg]eq?|neq?|[lg]eqslant)(?![A-Za-z]))"
 _SIZE = r"\\?(?:left|right|big|Big)?"
@@ -60,6 +61,7 @@ def in_usual_signs(text: str) -> str:
             text = _LAW_IN_CHAIN.sub(_blank, text)
         text = _OR.sub(r"\\text{ or }", text)
         text = _CONDITION.sub(lambda m: m[0] if "dot" in m[0] or "'" in m[0] else _blank(m), text)
+    text = _OR_IN_OTHER_WORDS.sub("or", text)
     text = _ABOUT_AS_WELL.sub(_blank, text)
     text = _NUMBER_AMONG_LETTERS.sub(lambda m: m[0] if m["word"] in _FUNCTIONS else f"{m['word']}*", text)
     return _OR_SIGN.sub(r" \\text{ or } " if "\\" in text else " or ", text)
