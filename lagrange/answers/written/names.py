@@ -288,8 +288,8 @@ def _defined(name: str, texts: Sequence[str]) -> bool:
 
 
 def has_word(word: str, text: str) -> bool:
-    """Whether a name occurs in a text by itself."""
-    return re.search(rf"(?<![A-Za-z0-9_\\]){re.escape(word)}(?![A-Za-z0-9_])", text) is not None
+    """Whether a name occurs in a text and is no part of another one; a number may stand before it."""
+    return re.search(rf"(?<![A-Za-z_\\]){re.escape(word)}(?![A-Za-z0-9_{{])", text) is not None
 
 
 def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:

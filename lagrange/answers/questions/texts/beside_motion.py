@@ -18,10 +18,11 @@ from lagrange.answers.questions.frequencies import check_frequencies, frequencie
 from lagrange.answers.questions.named_values import label_of, written_label
 from lagrange.answers.questions.stability_in_text import WORD as STABLE
 from lagrange.answers.questions.stability_in_text import check_stability_beside
-from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, has_name, stated_frequencies
+from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, stated_frequencies
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of
+from lagrange.answers.written.names import has_word
 from lagrange.answers.written.values import with_all_values
 from lagrange.answers.written.working import understood
 from lagrange.core.diagnostics import Fragment, ProblemError, Severity, Span
@@ -97,7 +98,7 @@ def _is_needed(fragment: Fragment, answer: Sequence[Fragment], reference: Refere
     label = written_label(fragment)
     if not label or label_of(fragment) in reference.declared:
         return False
-    return any(ACCELERATION.search(f.text) and has_name(label, f.text) for f in answer)
+    return any(ACCELERATION.search(f.text) and has_word(label, f.text) for f in answer)
 
 
 def _limits(fragment: Fragment) -> Iterator[Fragment]:
