@@ -6,7 +6,7 @@ An `Examiner` solves a problem once and then checks any number of answers, as `l
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -41,12 +41,13 @@ from lagrange.answers.verdicts import (
     Judgement,
     Verdict,
 )
-from lagrange.answers.written.lines import has_sign_of_equality
+from lagrange.answers.written.joined_lines import has_sign_of_equality
 from lagrange.answers.written.values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base, symbols_in
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.reader import Scope, is_inequality
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
@@ -160,7 +161,7 @@ class Examiner:
             known = self._statics_reference.scope.names()
             return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
         if solution is not None and self.asks_for_conditions and asks_for_rest_alone(solution):
-            from lagrange.answers.friction.rest_conditions import check_limits
+            from lagrange.answers.friction.stated_limits import check_limits
 
             limits = check_limits(answer, conditions_of_rest(solution), self._statics_reference, solution)
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (limits,))
@@ -220,11 +221,27 @@ class Examiner:
             if len(answer) == len(equations):
                 return self._checked(equations)
         alone = asks_for_rest_alone(solution)
-        rest = compared_rest(solution, answer if alone else [f for f in answer if is_inequality(f)])
+        inequalities = tuple(f for f in answer if is_inequality(f))
+        defined = self._defined_beside(equations) if inequalities else {}
+        if defined:  # with the angle of friction, tan(rho) = mu
+            equations = tuple(f for f in equations if not _is_definition(f, defined))
+            answer = [*inequalities, *equations]
+        rest = compared_rest(solution, answer if alone else inequalities, defined)
         if alone or not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))
         judged = self._checked(equations)
+        if rest.verdict is Verdict.EQUIVALENT and judged.verdict is Verdict.INCOMPLETE and solution.own.motion is None:
+            return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))  # a reaction, from which they follow
         return replace(judged, others=(rest, *judged.others))
+
+    def _defined_beside(self, equations: Sequence[Fragment]) -> Mapping[str, sp.Expr]:
+        """The names that equations beside conditions of rest define."""
+        from lagrange.answers.written.working import understood
+
+        if not equations:
+            return {}
+        working = understood(equations, self._statics_reference, moving=False)
+        return {} if working.unreadable else working.defined
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
         from lagrange.answers.questions.at_release import at_release
@@ -402,6 +419,12 @@ class Examiner:
         """The verdict on the whole."""
         derived = self._derived(equations) if equations.equations else ()
         return Judgement(equations, others, statics, reactions, problem=self.problem, derived=derived)
+
+
+def _is_definition(fragment: Fragment, defined: Mapping[str, sp.Expr]) -> bool:
+    """Whether an equation has one of the names that an answer defines alone, or in one function, on its left."""
+    words = [GREEK.get(w, w) for w in _WORD.findall(fragment.text.partition("=")[0])]
+    return bool(words) and len(words) <= 2 and words[-1] in defined
 
 
 _WORD = re.compile(r"[^\W\d]\w*")

@@ -164,6 +164,12 @@ two digits are rounded by 5 % at most. A limit that is wrong by more is found at
 MOST_NUMERICAL_ROOTS = 4
 """Roots of a condition of equilibrium that a stated position in numbers is compared with."""
 
+MOST_WAYS_TO_REST = 8
+"""Sets of conditions of rest with `or` between them: three conditions with two cases each."""
+
+MOST_LIMITS = 4
+"""Limits of rest stated without a `max` or `min`: each is tried as an upper and as a lower one, 16 in all."""
+
 MOST_FRICTION_SIGNS = 16
 """Combinations of directions in which the friction forces of an answer may be taken: four contacts."""
 

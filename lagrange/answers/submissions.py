@@ -33,7 +33,8 @@ from lagrange.answers.questions.stated_constraints import stated_in_words
 from lagrange.answers.questions.values_in_text import is_expressions, with_sign_after_names
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.cases import with_cases
-from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined_lines
+from lagrange.answers.written.joined_lines import has_sign_of_equality, is_mathematics, joined_lines
+from lagrange.answers.written.lines import equations_of_line
 from lagrange.answers.written.notation.documents import (
     cells_of_row,
     is_list_of_dashes,
@@ -42,12 +43,14 @@ from lagrange.answers.written.notation.documents import (
     with_macros,
     without_named_letters,
 )
+from lagrange.answers.written.notation.habits import in_usual_signs
 from lagrange.answers.written.notation.matrices import with_bracketed_arrays
 from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.answers.written.notation.rare import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
+from lagrange.expressions.edits import cuts
 from lagrange.expressions.latex_layout import LayoutMark, Region, delimited, equations, has_equation, marks_of, rows
 from lagrange.expressions.reader import is_inequality
 from lagrange.problem.model import Answers
@@ -116,7 +119,7 @@ def answer_in_file(
     Raises ProblemError as `equations_in_file` does.
     """
     source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
-    source = replace(source, text=with_bracketed_arrays(with_cases(source.text)))
+    source = replace(source, text=with_bracketed_arrays(with_cases(in_usual_signs(source.text))))
     equations = equations_in_file(source, ending, conditions=conditions)
     in_words = not equations and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
     if in_words or (not equations and is_expressions(source.text)):
@@ -134,16 +137,25 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
     """The lines with inequalities, each without words before it, and the other lines with equations."""
     number = 0
     for start, end in _lines(fragment.text):
-        line = fragment.text[start:end]
         if not is_inequality(_part(fragment, start, end)):
             yield from _in_lines(_part(fragment, start, end))
             continue
-        begins = start + _beginning(line, number, _BULLET)
-        number += 1
-        kept = fragment.text[begins:end].strip(" .,;\r")
-        kept = kept.strip(" $.,;") if kept.count("$") <= 2 and kept[:1] == kept[-1:] == "$" else kept
-        begins += fragment.text[begins:end].find(kept)
-        yield _part(fragment, begins, begins + len(kept))
+        places = [(start + a, start + b) for a, b in cuts(fragment.text[start:end], _BETWEEN_STATEMENTS)]
+        if all(is_inequality(_part(fragment, *place)) for place in places):
+            places = [(start, end)]
+        for begins, stop in places:
+            if not is_inequality(_part(fragment, begins, stop)):
+                yield from _in_lines(_part(fragment, begins, stop))
+                continue
+            begins += _beginning(fragment.text[begins:stop], number, _BULLET)
+            number += 1
+            kept = fragment.text[begins:stop].strip(" .,;\r")
+            kept = kept.strip(" $.,;") if kept.count("$") <= 2 and kept[:1] == kept[-1:] == "$" else kept
+            begins += fragment.text[begins:stop].find(kept)
+            yield _part(fragment, begins, begins + len(kept))
+
+
+_BETWEEN_STATEMENTS = re.compile(r";|==?>|⇒|⟹|→|->")
 
 
 def _check_size(fragment: Fragment) -> None:

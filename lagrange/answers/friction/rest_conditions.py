@@ -13,20 +13,19 @@ import random
 import re
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
-from itertools import islice
+from itertools import islice, product
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.friction.related_coordinates import dependent, on_relations, relations
-from lagrange.answers.limits import BESIDE_REST, CLEAR_SLACK, FIRST_REST_SAMPLES, REST_SAMPLES
+from lagrange.answers.limits import BESIDE_REST, CLEAR_SLACK, FIRST_REST_SAMPLES, MOST_WAYS_TO_REST, REST_SAMPLES
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.results.at_random import approximate, root_near
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
-from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import all_hold, record
-from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import limit_of
@@ -55,15 +54,19 @@ def check_rest_answers(
 ) -> AnswerVerdict:
     """The verdict on conditions; the best one in any set of coordinates."""
     try:
+        if any(_OR.search(f.text) for f in stated):
+            alternatives = [[_read(c, reference) for f in way for c in _each(f)] for way in _ways(stated)]
+            compared = [_compared_alternatives(alternatives, r, reference.values) for r in rests]
+            best = min(compared, key=[*_BEST_FIRST].index)
+            return AnswerVerdict(best, name="rest")
         read = [_read(c, reference) for f in stated for c in _each(f)]
     except ProblemError as error:
         equations = tuple(EquationVerdict(f.text, Verdict.UNREADABLE) for f in stated)
         return AnswerVerdict(Verdict.UNREADABLE, equations, unreadable=tuple(error.diagnostics), name="rest")
-    order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
     verdicts = [_compared(read, r, reference.values) for r in rests]
     if Verdict.EQUIVALENT not in verdicts and (in_tangents := [*map(_in_tangents, read)]) != read:
         verdicts += [_compared(in_tangents, r, reference.values) for r in rests]
-    best = next(v for v in order if v in verdicts)
+    best = next(v for v in _BEST_FIRST if v in verdicts)
     diagnosis = ""
     if best is Verdict.INCOMPLETE:
         diagnosis = next((why for r in rests if (why := _other_limit(read, r, reference.values))), "")
@@ -76,6 +79,19 @@ def check_rest_answers(
             filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis
         )
     return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
+
+
+_BEST_FIRST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
+_OR = re.compile(r"(?<![\w\\])or(?!\w)|\\(?:text|mathrm|mbox)\s*\{\s*or\s*\}")
+
+
+def _ways(stated: Sequence[Fragment]) -> list[list[Fragment]]:
+    """The sets of conditions that are stated with `or` between them. Raises ProblemError if there are too many."""
+    ways = [[*way] for way in islice(product(*(pieces(f, _OR) for f in stated)), MOST_WAYS_TO_REST + 1)]
+    if len(ways) > MOST_WAYS_TO_REST:
+        message = f"an answer may have {MOST_WAYS_TO_REST} sets of conditions"
+        raise ProblemError(Diagnostic("too-many-equations", message, stated[0].whole))
+    return ways
 
 
 def _in_tangents(s: _Stated) -> _Stated:
@@ -131,62 +147,6 @@ def _explained(
     return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 
 
-def check_limits(
-    stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference, solution: Solution
-) -> AnswerVerdict:
-    """The verdict on limits that are stated by equations: Q_max = ..., Q_min = ..., mu = ... = 0.311.
-
-    A limit without an index is meant as an upper or a lower one, whichever is right.
-    """
-    verdicts = [
-        check_rest_answers(conditions, rests, reference, solution) for conditions in _as_conditions(stated, reference)
-    ]
-    if not verdicts:
-        return check_rest_answers(stated, rests, reference, solution)
-    order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG, Verdict.UNREADABLE)
-    return min(verdicts, key=lambda v: order.index(v.verdict))
-
-
-def _as_conditions(stated: Sequence[Fragment], reference: Reference) -> Iterator[list[Fragment]]:
-    """Inequalities for equations between a name and its limits, in both senses where no index tells the sense."""
-    pieces: list[tuple[Fragment, str, Fragment]] = []
-    for f in stated:
-        sides = _pieces(f, _EQUALS)
-        if not 2 <= len(sides) <= 5:  # none at all in `=`
-            return
-        match = _EXTREMUM.fullmatch(sides[0].text.strip(" $"))
-        if match is None:
-            return
-        name = scope_name(match["name"], reference)
-        if name is None:
-            return
-        if any(u.name == name for u in reference.unknowns):  # working: T = P e^(mu beta)
-            continue
-        for side in sides[1:]:
-            pieces.append(
-                (f, f"{name} {{}} " if not match["which"] else f"{name} {_SENSES[match['which'][:3]]} ", side)
-            )
-    for sense in ("<=", ">="):
-        made = []
-        for f, start, side in pieces:
-            draft = Draft(f)
-            draft.apply([(0, len(f.text), f"{start.format(sense)}{side.text}")])
-            made.append(draft.finished(latex=is_latex(f)))
-        if made:
-            yield made
-
-
-def scope_name(written: str, reference: Reference) -> str | None:
-    """The declared name that a text is; None if it is none."""
-    name = reference.scope.spelling("".join(GREEK.get(c, c) for c in written.replace("\\", "")))
-    return name if name in reference.declared else None
-
-
-_EQUALS = re.compile(r"(?<![<>!=:])=(?![=>])|\\approx(?![A-Za-z])|≈")
-_SENSES = {"min": ">=", "max": "<="}
-_EXTREMUM = re.compile(
-    r"(?P<name>\\?[^\W\d_]+?(?:_?[0-9])?)(?:_?\s*\{?\s*\\?(?:text|mathrm|rm)?\s*\{?\s*(?P<which>min|max)[a-z]{0,4}\s*\}?\s*\}?)?"
-)
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
 _A_NUMBER = re.compile(r"[\s\d.]+[\s$]*")
 _AND = re.compile(
@@ -197,7 +157,7 @@ _EXTREME = re.compile(r"\s*\\?(?P<which>min|max|Min|Max)\s*(?:\\left\s*)?(?P<ope
 
 def _each(fragment: Fragment) -> Iterator[Fragment]:
     """The conditions in a text: a <= b <= c is two, and so are `a and b` and a <= min(b, c)."""
-    parts = _pieces(fragment, _AND)
+    parts = pieces(fragment, _AND)
     if not all(_RELATION.search(p.text) for p in parts):
         parts = [fragment]
     for part in parts:
@@ -211,7 +171,8 @@ def _each(fragment: Fragment) -> Iterator[Fragment]:
             yield from _without_extremes(piece)
 
 
-def _pieces(fragment: Fragment, separator: re.Pattern[str]) -> list[Fragment]:
+def pieces(fragment: Fragment, separator: re.Pattern[str]) -> list[Fragment]:
+    """What stands between separators, as far as there is anything."""
     return [cut(fragment, *place) for place in cuts(fragment.text, separator) if fragment.text[slice(*place)].strip()]
 
 
@@ -279,9 +240,10 @@ def _in_parts(
 ) -> tuple[list[_Stated], list[list[_Stated]]]:
     """The stated conditions and those of each case, in the same coordinates and without absolute values."""
     numbers = dict(values)
+    forces = dict(rest.forces) if isinstance(rest, AtRest) else {}  # |F| <= mu*N, with N as it is at rest
 
     def valued(e: sp.Expr) -> sp.Expr:
-        return rest.configuration.rewritten(e).xreplace(numbers)
+        return rest.configuration.rewritten(e.xreplace(forces)).xreplace(numbers)
 
     given = [
         part
@@ -340,6 +302,24 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
             return Verdict.EQUIVALENT
         if given and all(same) and _holds_if_positive([c for n, c in enumerate(cases[0]) if n not in matched], given):
             return Verdict.EQUIVALENT
+    return _at_random([given], cases, rest, values)
+
+
+def _compared_alternatives(
+    alternatives: Sequence[Sequence[_Stated]], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]
+) -> Verdict:
+    """The verdict on sets of conditions one of which is to hold."""
+    parts = [_in_parts(a, rest, values) for a in alternatives]
+    return _at_random([given for given, _ in parts], parts[0][1], rest, values)
+
+
+def _at_random(
+    alternatives: Sequence[Sequence[_Stated]],
+    cases: Sequence[Sequence[_Stated]],
+    rest: AtRest | Rolling,
+    values: Mapping[sp.Symbol, sp.Rational],
+) -> Verdict:
+    given = [c for a in alternatives for c in a]
     weaker = stronger = False
     seen = set()
     conditions = [c for case in (*cases, given) for c in case]
@@ -349,7 +329,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         if point is None:
             continue
         derived = _any_case(cases, point)
-        claimed = _all_hold(given, point)
+        claimed = _any_case(alternatives, point)
         if derived is None or claimed is None:
             continue
         seen.add(derived)
@@ -358,7 +338,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     if stronger:
         return Verdict.INCOMPLETE if not weaker and _are_of_one_case(given, cases) else Verdict.WRONG
     if weaker:
-        known = cases[0] if len(cases) == 1 else []
+        known = cases[0] if len(cases) == len(alternatives) == 1 else []
         partly = known and given and all(any(_are_same(s, c) or _rounds_to(s, c) for c in known) for s in given)
         return Verdict.INCOMPLETE if partly else Verdict.WRONG
     rule = dependent(constraints)
@@ -369,20 +349,40 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     needed, stated_ones = ([*map(put_in, cs)] for cs in ([c for case in cases for c in case], given))
 
     def is_exact(s: _Stated) -> bool:
-        return any(_are_same(s, c) or _has_limit(s, c) or _has_limit(c, s) or _rounds_to(s, c) for c in needed)
+        return any(
+            _are_same(s, c) or _has_limit(s, c) or _has_limit(c, s) or _rounds_to(s, c) or _are_same(s, _squared(c))
+            for c in needed
+        ) or (len(alternatives) > 1 and _is_a_case(s, needed))
 
     exact = all(map(is_exact, stated_ones))
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
 
 
 def _are_of_one_case(given: Sequence[_Stated], cases: Sequence[Sequence[_Stated]]) -> bool:
-    """Whether conditions are those of one of several cases: P ≤ μ (W − P) of P ≤ μ |W − P|."""
+    """Whether conditions are those of one of several cases: P ≤ μ (W − P) of P ≤ μ |W − P|, or μν ≥ 1."""
+    if given and any(all(_is_a_case(s, case) for s in given) for case in cases):
+        return True
     single = [one for case in cases for one in _by_signs(case)]
     return len(single) > 1 and any(
         all(any(_are_same(s, c) for c in case) for s in given)
         and all(any(_are_same(s, c) for s in given) for c in case)
         for case in single
     )
+
+
+def _is_a_case(s: _Stated, case: Sequence[_Stated]) -> bool:
+    """Whether the sign of a factor in a derived condition is stated, of 1 − μν in (1 − μν) tan θ ≤ 2μ."""
+    factors = {f for c in case for term in sp.Add.make_args(c.slack) for f in sp.Mul.make_args(term) if f.is_Add}
+    return any(sp.cancel(f / s.slack).is_number for f in factors if f.free_symbols == s.slack.free_symbols)
+
+
+def _squared(c: _Stated) -> _Stated:
+    """P² ≤ μ² (W − P)² for P ≤ μ |W − P|, where both sides are positive."""
+    terms = sp.Add.make_args(c.slack)
+    if len(terms) != 2 or sorted(Signs(_symbols(e)).of(e) or 0 for e in terms) != [-1, 1]:
+        return c
+    greater, less = sorted(terms, key=lambda e: Signs(_symbols(e)).of(e) or 0, reverse=True)
+    return replace(c, slack=sp.expand(greater**2 - less**2), rounded=None)
 
 
 def _by_signs(case: Sequence[_Stated]) -> Iterator[Sequence[_Stated]]:

@@ -195,6 +195,7 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
     cyclic = next((v.steady.cyclic for v in solution.views if v.steady is not None), ())
     if all(_KEPT.search(f.text) for f in answer):  # m r^2 phi' = const is an integral of every motion
         return judge(answer)
+    answer = [_definition_of(f) or f for f in answer]  # of p in p = m r^2 phi' = const
     answer = [period_as_rate(f, cyclic, reference) for f in answer if not _KEPT.search(f.text)]
     working = understood(answer, with_rate_as_omega(reference, cyclic), moving=False)
     used = {
@@ -217,6 +218,12 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
         verdict = explained_steady(verdict, alternatives_of(working.judged), conditions, solution)
     return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
+
+
+def _definition_of(fragment: Fragment) -> Fragment | None:
+    """`p = A` of the chain `p = A = const`."""
+    pairs = in_pairs(fragment) if _KEPT.search(fragment.text) else []
+    return pairs[0].finished(latex=is_latex(fragment)) if len(pairs) > 1 else None
 
 
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:

@@ -197,7 +197,8 @@ def is_used_beside(fragment: Fragment, answer: Sequence[Fragment], reference: Re
     if match is None or label_of(fragment) in reference.declared or match["name"] in reference.declared:
         return False
     written = re.escape(written_label(fragment))
-    used = re.compile(rf"(?<![A-Za-z0-9_\\]){written}(?![A-Za-z0-9_{{])")
+    before = "" if written[:1] in GREEK else r"(?<![A-Za-z0-9_\\])"  # of Rω, ω is a factor
+    used = re.compile(rf"{before}{written}(?![A-Za-z0-9_{{])")
     rate = re.compile(rf"(?<![A-Za-z\\])d\s?{written}\s*(?:/|\}}\s*\{{)\s*d|\\dot\s*\{{?\s*{written}(?![A-Za-z0-9_])")
     others = (f.text for f in answer if f is not fragment and not rate.search(f.text))  # of dv/dt, v is the velocity
     return any(used.search(re.sub(r"\A[^=]*=", "", text)) for text in others)

@@ -177,15 +177,21 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         yield check_hamiltonian_answer(answers.hamiltonian, solution)
 
 
-def compared_rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
-    """The verdict on the conditions of rest with friction."""
+def compared_rest(
+    solution: Solution, stated: Sequence[Fragment], defined: Mapping[str, sp.Expr] | None = None
+) -> AnswerVerdict:
+    """The verdict on the conditions of rest with friction; `defined` are names that the answer gives a meaning."""
     from lagrange.answers.friction.rest_conditions import check_rest_answers
 
     rests = conditions_of_rest(solution)
     if not rests:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
-    return check_rest_answers(stated, rests, reference_of_solution(solution), solution)
+    reference = reference_of_solution(solution)
+    if defined:
+        scope = replace(reference.scope, scalars={**reference.scope.scalars, **defined})
+        reference = replace(reference, scope=scope, declared=reference.declared | defined.keys())
+    return check_rest_answers(stated, rests, reference, solution)
 
 
 def asks_for_rest_alone(solution: Solution) -> bool:
@@ -201,12 +207,20 @@ def conditions_of_rest(solution: Solution) -> list[Rest | Rolling]:
 def compared_impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria with friction at its limit, in the coordinates where it is best."""
     from lagrange.answers.friction.impending import check_impending_answers
+    from lagrange.answers.friction.stated_limits import are_reversed
 
     reference = reference_of_solution(solution)
     verdicts = [
         check_impending_answers(alternatives, v.impending, reference, solution) for v in solution.views if v.impending
     ]
-    return replace(max(verdicts, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
+    best = replace(max(verdicts, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
+    stated, rests = [f for a in alternatives for f in a], conditions_of_rest(solution)
+    if best.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) and are_reversed(stated, rests, reference, solution):
+        return replace(best, verdict=Verdict.WRONG, diagnosis=_REVERSED)
+    return best
+
+
+_REVERSED = "the upper limit is stated as the lower one, or the other way round"
 
 
 def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:

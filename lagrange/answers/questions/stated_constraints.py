@@ -16,6 +16,7 @@ Numbers are added and subtracted; of several numbers of degrees of freedom the l
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -27,6 +28,7 @@ from lagrange.algebra.exact.points import Point
 from lagrange.answers.limits import LONGEST_IN_WORDS
 from lagrange.answers.readings import GivenEquation, displaced_coordinates, without_displacements
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, MIXED_CHOICES, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.names import has_word, spelled_out
 from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import CONSTANT, base, differential, prime, symbols_in, variation
@@ -109,6 +111,11 @@ def _readings(working: Working, solution: Solution) -> Iterator[_Stated]:
         yield reading.text, reading.components, other
 
 
+def _occurs_in(name: str, text: str) -> bool:
+    """Whether a name, or its rate, occurs in a text."""
+    return has_word(name, re.sub(r"[\u0307\u0308{}]|\\d?dot", "", unicodedata.normalize("NFD", spelled_out(text))))
+
+
 def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated], list[GivenEquation]]:
     """Integrated constraints with a constant that the problem does not declare, and what remains unreadable.
 
@@ -119,6 +126,8 @@ def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated],
     moving = {q for v in solution.views for q in v.configuration.slots.coordinates}
     for name, value in working.defined.items():
         used = symbols_in(value)
+        if any(isinstance(f, GivenEquation) and _occurs_in(name, f.reading.text) for f in working.judged):
+            continue  # x_A = x - a cos(theta), of which another equation makes use
         if used & moving and all(base(s) == s for s in used) and not displaced_coordinates([value], tuple(moving)):
             constraints.append((f"{name} = ...", (value - CONSTANT,), ()))
     for f in working.unreadable:

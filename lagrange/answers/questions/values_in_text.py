@@ -36,8 +36,8 @@ from lagrange.answers.questions.asked_quantities import check_asked, claims_of
 from lagrange.answers.questions.named_values import NOT_EQUAL, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.joined_lines import has_sign_of_equality
 from lagrange.answers.written.judging import is_of_motion
-from lagrange.answers.written.lines import has_sign_of_equality
 from lagrange.answers.written.reading import read_as_written, tried, undeclared
 from lagrange.answers.written.statements import statement
 from lagrange.answers.written.working import Working, understood
@@ -220,7 +220,7 @@ def asked_in_text(
     wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
     has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
-        if _is_condition(fragment, questions, reference):
+        if _is_condition(fragment, questions, reference) or _is_condition(fragment, questions, wider):
             continue
         compared = [*_verdicts(fragment, questions, solution, reference)]
         if scalars and not any(v.verdict is Verdict.EQUIVALENT for _, v in compared):

@@ -14,6 +14,8 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.answers.written.cases import with_cases
+from lagrange.answers.written.joined_lines import KNOWN, LINKING, joined_lines
+from lagrange.answers.written.notation.habits import in_usual_signs
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
@@ -22,7 +24,6 @@ from lagrange.answers.written.values import (
     CONDITIONAL,
     STABILITY,
     exact_results,
-    is_about,
     with_equality,
     with_place_first,
     without_star,
@@ -33,7 +34,6 @@ from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import is_inequality
-from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
@@ -47,9 +47,14 @@ _BETWEEN = (
     r"(?:\s+that)?[,:]?\s+(?=[^=]*=)"
 )
 """Words between two equations."""
+_REACHED = (
+    r"(?<=[\w)\]²³'])\s+(?:(?:is|and|which|it|wird)\s+){0,2}(?:reached|attained|occurs?|happens?|erreicht|atteinte?)"
+    r"\s+(?:at|after|when|for|bei|nach|zur Zeit|à)\s(?=[^=]*=)"
+)
+"""Words between a value and its time: `x = 2 m g/k reached at t = ...`."""
 _SEPARATOR = re.compile(
-    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
-    rf"|{_BETWEEN}|{_SENTENCE}|\\n"
+    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:at|for|bei|für|pour)\s+(?=(?:cos|sin|tan)[^=]{{1,20}}=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
+    rf"|{_BETWEEN}|{_REACHED}|{_SENTENCE}|\\n"
 )
 _LEADS_ON = re.compile(_BETWEEN)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
@@ -82,21 +87,6 @@ _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
 _NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
-_KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
-_LINKING_WORDS = """
-then so thus hence therefore and we get obtain obtained have find gives give the equation equations of motion is are
-where with let set define eom finally which yields yield using since because from newton newtons also now again
-substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
-die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
-est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
-otherwise else sonst sinon ansonsten got hi hello but however instead rather aber sondern
-its your my follows follow it i.e e.g eq eqn or
- energy kinetic potential lagrangian euler lagrange linear linearised linearized
-small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
-constraint constraints rolling condition relation at ode odes differential second order system be case gleichung
-bewegungsgleichung mit und dann fuer für folgt damit somit wobei
-"""
-_LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
     r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
@@ -109,7 +99,8 @@ _WHERE_VALID = re.compile(
 )
 """Where an equation is valid: `(r > 0)`. A sign of a velocity is no such remark, since friction depends on it."""
 _AFTER_COMMA = re.compile(
-    r",\s+(?=[^\W\d_]{2,}(?:-[^\W\d_]+)*(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
+    rf",\s+(?!(?:{'|'.join(sorted(KNOWN - {'eq'}))})(?![^\W\d_]))"
+    r"(?=[^\W\d_]{2,}(?:-[^\W\d_]+)*(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
 )
 """Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
@@ -117,15 +108,10 @@ _EQ = re.compile(
     r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve|(?:Full)?Simplify|simplify|[Ee]xpand)\s*(?=\[|\()"
 )
 _MAPLE = re.compile(r"(?<=[A-Za-z0-9_])\s*\$\s*([1-4])(\s*[,)])")
-_MATHEMATICS = re.compile(r"['^*/\\_=\u0300-\u036f′″¨˙²³½·−√()]|\d|[" + "".join(GREEK) + "]")
-_ENDS_OPEN = re.compile(r"(?:[-+*/=−·(,&]|\\cdot|\\times|\\left\()\s*\Z")
-_BEGINS_OPEN = re.compile(r"\s*(?:&\s*)?(?:[-+*/−·)]|\\cdot|\\times|=(?!=?>))")
-_BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
 
 
 _RULES = re.compile(r"\s*(?:Out\[[0-9]{0,4}\]\s*=)?\s*\{\s*\{?\s*\w+'*(?:\[t\])?\s*->")
 _RULE = re.compile(r"->")
-_OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
 _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
 
 
@@ -133,38 +119,6 @@ _PLACE_BEFORE = re.compile(
     r"\s*(?:about|around|near|at)\s+[^:=]{1,30}(?:=[^:=]{1,20}){1,3}:\s+(?=[^=]*=)", re.IGNORECASE
 )
 """The place for which an equation holds, before it: `about θ = 0: ω = sqrt(g/R)`."""
-
-
-def has_sign_of_equality(line: str) -> bool:
-    """Whether a line contains an equation: a `=`, or a notation equivalent to it."""
-    return _OTHER_EQUALS.search(line) is not None or is_about(line)
-
-
-def is_mathematics(line: str) -> bool:
-    """Whether a line without `=` may be a part of an equation, and is no prose."""
-    words = [w for w in re.findall(r"[^\W\d_]{2,}", line) if w.lower() not in _KNOWN]
-    prose = [w for w in words if len(w) > 3 or w.lower() in _LINKING]
-    return bool(_MATHEMATICS.search(line)) and not prose and not line.rstrip().endswith(":")
-
-
-def joined_lines(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
-    """Adjoining lines, each with its place and text, put together where one continues the other."""
-    parts: list[tuple[int, int]] = []
-    equals = mathematics = False
-    last = ""
-    for start, end, line in lines:
-        has = "=" in line
-        if parts and mathematics and (has or is_mathematics(line)):
-            waits = bool(_ENDS_OPEN.search(last))
-            goes_on = bool(_BEGINS_OPEN.match(line)) and not (has and equals and not _BEGINS_EQUAL.match(line))
-            alone = not equals and has and not _MATHEMATICS.search(last)
-            if ((waits and not (equals and has and not last.rstrip().endswith("="))) or goes_on) and not alone:
-                parts[-1] = (parts[-1][0], end)
-                equals, last = equals or has, line
-                continue
-        parts.append((start, end))
-        equals, mathematics, last = has, has or is_mathematics(line), line
-    return parts
 
 
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
@@ -233,12 +187,18 @@ def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str
     own = [s for s in signs if start <= s < stop]
     if not remarks or not own:
         return ""
-    before = remarks[0].start() < signs[0]
-    others = [s for s in signs if (s < own[0] if before else s > own[-1])]
-    limit = (others[-1:] or [-1])[0] if before else (others[:1] or [len(text)])[0]
-    return "; ".join(
-        _bare(m[0]) for m in remarks if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)
-    )
+    ahead = [m for m in remarks if _PLACE_NEXT.match(text, m.end())]
+    said = [m for m in ahead if own[0] == next((s for s in signs if s >= m.end()), None)]
+    if others := [m for m in remarks if m not in ahead]:
+        before = others[0].start() < signs[0]
+        beyond = [s for s in signs if (s < own[0] if before else s > own[-1])]
+        limit = (beyond[-1:] or [-1])[0] if before else (beyond[:1] or [len(text)])[0]
+        said += [m for m in others if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)]
+    return "; ".join(_bare(m[0]) for m in said)
+
+
+_PLACE_NEXT = re.compile(r"\s*(?:at|in|for|near|around|about|bei|um|für|en|à|pour)\s+[^\s=<>≤≥]{1,16}\s*=(?!=)")
+"""The place that a remark on stability is about, after it: `stable at θ = 0`."""
 
 
 def _bare(remark: str) -> str:
@@ -393,7 +353,7 @@ def _is_prose(text: str) -> bool:
     words = re.findall(r"[A-Za-zÀ-ÖØ-öø-ÿ]{2,}", text)
     if _SIGNS.search(text):
         return False
-    return any(len(w) > 3 for w in words) and not any(w.lower() in _KNOWN for w in words)
+    return any(len(w) > 3 for w in words) and not any(w.lower() in KNOWN for w in words)
 
 
 def _from_call(fragment: Fragment, opening: int, beside: str) -> Iterator[Fragment]:
@@ -448,9 +408,10 @@ _NAME_AND_COMMA = re.compile(r"[^\W\d]\w{0,12}\s*,\s+(?=[^=,]{1,40}=)")
 def _is_known(word: str) -> bool:
     """Whether a word is mathematics: a function, a Greek letter, or a function of one, `cosθ`."""
     plain = word.rstrip(".,:").lower()
-    return plain in _KNOWN or _OF_GREEK.fullmatch(plain) is not None
+    return plain in KNOWN or _OF_GREEK.fullmatch(plain) is not None
 
 
+_DIFFERENTIAL = re.compile(rf"[dδ][qrstxyz{''.join(GREEK)}]")
 _OF_GREEK = re.compile(rf"(?:arc|a)?(?:sin|cos|tan|cot|exp|sqrt|ln|log)[{''.join(GREEK)}]\w?")
 
 
@@ -458,7 +419,7 @@ def _prose_words(text: str, at: int, end: int) -> int:
     """The number of words with which a sentence begins: of at least two words one is long, and none is mathematics."""
     number, long = 0, False
     while word := _NEXT_WORD.match(text, at, end):
-        if _is_known(word[1]) or (len(word[1]) == 1 and number == 0):
+        if _is_known(word[1]) or _DIFFERENTIAL.fullmatch(word[1]) or (len(word[1]) == 1 and number == 0):
             break
         number, long, at = number + 1, long or len(word[1]) > 4, word.end()
     return number if number > 1 and long else 0
@@ -466,9 +427,9 @@ def _prose_words(text: str, at: int, end: int) -> int:
 
 def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     plain = word.rstrip(".,:").lower()
-    if _is_known(plain):
+    if _is_known(plain) or _DIFFERENTIAL.fullmatch(plain):
         return word.endswith(":")
-    if plain in _LINKING or word.endswith(":"):
+    if plain in LINKING or word.endswith(":"):
         return True
     if len(plain) > (2 if words > 1 else 3) and _NAMES_NEXT.match(text, at, end):
         return True
@@ -502,7 +463,7 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
     pieces = []
     (first, end), *_ = parts
     between = _LONG_WORDS.findall(fragment.text[end : parts[-1][0]])
-    prose = any(word.lower() not in _KNOWN for word in between) and "\\" not in fragment.text
+    prose = any(word.lower() not in KNOWN for word in between) and "\\" not in fragment.text
     vanishes = fragment.text[slice(*parts[-1])].strip(" $&.,;") == "0"  # δW = W δy - P δx = 0
     from_first = _OPERATOR.search(fragment.text, first, end) is None and not prose and not vanishes
     for (start, _), (begin, last) in pairwise(parts):
@@ -556,7 +517,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
         inside = [m for m in _BETWEEN_DOLLARS.finditer(draft.text) if re.search(r"[<>≤≥]|\\[gl]eq?", m[1])]
         ends = [0, *(x for m in inside for x in m.span(1)), len(draft.text)]
         between = [
-            (a, b, ", " if a > 0 and b < len(draft.text) else "") for a, b in zip(ends[::2], ends[1::2], strict=True)
+            (a, b, _joint(draft.text[a:b]) if a > 0 and b < len(draft.text) else "")
+            for a, b in zip(ends[::2], ends[1::2], strict=True)
         ]
         draft.apply(between if inside else [])
     else:
@@ -564,24 +526,40 @@ def condition_alone(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
-_CASE = re.compile(r"[^:=]*[<>≤≥][^:=]*:\s(?=[^:]*[=<>≤≥])")
+def _joint(words: str) -> str:
+    """What joins two conditions between which there are words."""
+    return r" \text{ or } " if re.fullmatch(r"[\s,;$]*(?:or|oder|ou)[\s,;$]*", words) else ", "
+
+
+_CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 """A case, which has a result of its own: `if mu < b/h: P_max = ...`."""
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 
 
+_BETWEEN_CONDITIONS = re.compile(
+    r"[,;]|\bi\.\s?e\.|\bor equivalently\b|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
+)
+
+
 def conditions_of(fragment: Fragment) -> list[Fragment]:
     """The parts of a text between commas, if each of them is an equation or an inequality."""
-    places = [*cuts(fragment.text, re.compile(r"[,;]|\bi\.\s?e\.|\bor equivalently\b"))]
+    places = [*cuts(fragment.text, _BETWEEN_CONDITIONS)]
     places = [(start, end) for start, end in places if fragment.text[start:end].strip()]
     parts = [_part(fragment, start, end) for start, end in places]
     return parts if all("=" in p.text or is_inequality(p) for p in parts) else [fragment]
 
 
+_BESIDE_CONDITION = re.compile(r"(?<=[\s,;$])(?:with|where|wobei|mit|avec|où)\s(?=[^=]*=)")
+
+
 def _separated(fragment: Fragment) -> list[Fragment]:
     if isinstance(fragment, OneEquation):
         return [fragment]
-    if (cases := with_cases(fragment.text)) != fragment.text:
+    beside = cuts(fragment.text, _BESIDE_CONDITION)
+    if len(beside) > 1 and "\n" not in fragment.text and is_inequality(first := _part(fragment, *beside[0])):
+        return [first, *(e for place in beside[1:] for e in _separated(_part(fragment, *place)))]
+    if (cases := with_cases(in_usual_signs(fragment.text))) != fragment.text:
         fragment = Fragment.of(cases, fragment.whole.source.name)
     if is_latex(fragment):
         fragment = replace(fragment, text=with_bracketed_arrays(fragment.text))

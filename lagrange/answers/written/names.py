@@ -288,8 +288,8 @@ def _defined(name: str, texts: Sequence[str]) -> bool:
 
 
 def has_word(word: str, text: str) -> bool:
-    """Whether a name occurs in a text as a whole word."""
-    return re.search(rf"(?<![A-Za-z0-9_\\]){re.escape(word)}(?![A-Za-z0-9_])", text) is not None
+    """Whether a name occurs in a text as a whole word; a number may precede it."""
+    return re.search(rf"(?<![A-Za-z_\\]){re.escape(word)}(?![A-Za-z0-9_{{])", text) is not None
 
 
 def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
@@ -415,8 +415,12 @@ def _is_force(value: sp.Expr, units: Mapping[sp.Symbol, str]) -> bool | None:
     return None if stated is None else stated == dimension_of_unit("N")
 
 
+_EXTREME_INDEX = re.compile(r"_\s*(?:\{\s*)?(?:\\(?:text|mathrm)\s*\{\s*)?\\?(max|min)(?![A-Za-z])(?:\s*\})*")
+
+
 def spelled_out(text: str) -> str:
-    """θ₁ as theta_1."""
+    """θ₁ as theta_1, and P_{\\max} as P_max."""
+    text = _EXTREME_INDEX.sub(r"_\1", text)
     text = re.sub(f"[{''.join(SUBSCRIPTS)}]+", lambda m: "_" + "".join(SUBSCRIPTS[c] for c in m[0]), text)
     return "".join(f" {GREEK[c]}" if c in GREEK else c for c in text)
 

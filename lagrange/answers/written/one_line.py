@@ -238,5 +238,10 @@ def _before_sentence(text: str, start: int, known: Callable[[str], bool]) -> int
         rest = _WORD.sub(" ", text[first:]).strip(" ,;:.()!")
         all_links = bool(words) and all(w.lower() in _LINKS for w in words)
         if words and ((all_links and not rest) or any(_is_prose(w, known) for w in words)):
-            return first
+            aside = _ASIDE.search(text, start, first)
+            return aside.start() if aside and all(_is_prose(w, known) for w in aside[1].split()) else first
     return len(text)
+
+
+_ASIDE = re.compile(r"\s\(([^()=*^/+<>]{1,60})\)\s*\Z")
+"""Words in parentheses after an equation, where the sentence goes on: `I = m l²/3 (Schwerpunkt) folgt ...`."""

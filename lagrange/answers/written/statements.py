@@ -18,7 +18,7 @@ import sympy as sp
 
 from lagrange.answers.limits import MOST_SIDE_DEFINITIONS
 from lagrange.answers.written.names import without_arguments
-from lagrange.answers.written.notation.plain import cleaned
+from lagrange.answers.written.notation.plain import cleaned, is_rate
 from lagrange.answers.written.reading import too_long, tried
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
@@ -94,7 +94,7 @@ def _with_marked(text: Fragment, scope: Scope) -> Scope:
     for match in _MARKED.finditer(text.text):
         symbol = coordinates.get(GREEK.get(match["name"], match["name"]))
         name = f"{symbol}_{match['index']}"
-        if symbol is not None and scope.scalar(name) is None:
+        if symbol is not None and scope.scalar(name) is None and not is_rate(name, scope):
             marked[name] = symbol
     return replace(scope, scalars={**scope.scalars, **marked}) if marked else scope
 

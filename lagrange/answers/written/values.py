@@ -316,7 +316,7 @@ CONDITIONAL = re.compile(
 _RESULT_AT_A_PLACE = re.compile(
     r"(?P<result>(?<![\w\\'])(?:omega|[ωΩ]|w|f|T)(?:_?\w{1,3})?(?:\s*\^\s*2|²)?\s*=\s*[^=;,:'\u0308¨]{1,80}?)"
     r"\s*,?\s+(?:at|about|around|near|for|bei|um|für)\s+(?:the\s+equilibrium\s+)?"
-    r"(?P<place>[^\W\d]\w{0,12}\s*=\s*[^=;,:]{1,40}?)(?=\s*(?:;|\.?\s*\Z|,\s|\.\s|\band\b|\bund\b))"
+    r"(?P<place>(?:(?:cos|sin|tan)\s*\(?\s*)?[^\W\d]\w{0,12}\s*\)?\s*=\s*[^=;,:]{1,40}?)(?=\s*(?:;|\.?\s*\Z|,\s|\.\s|\band\b|\bund\b))"
 )
 
 

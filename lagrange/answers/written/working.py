@@ -408,9 +408,11 @@ class _Sorting:
         except ProblemError:
             return "", ""
         texts = [w for w in texts if w not in ("|",)]
+        if any(is_rate(w, self.scope) for w in texts):
+            return "", ""
         match texts:
             case [name] if is_name(name):
-                return ("", "") if is_rate(name, self.scope) else (name, "")
+                return name, ""
             case [name, "^", "2"] if is_name(name):
                 return name, "^2"
             case [("sin" | "cos" | "tan") as function, "(", name, ")"] if is_name(name):
@@ -507,7 +509,8 @@ class _Sorting:
     def _marks_a_coordinate(self, line: Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = _NUMBERED.sub(r"\1_\2", name).partition("_")
-        asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
+        asked = [*self.scope.slots.coordinates, *self.reference.unknowns]
+        asked += self.reference.parameters.values() if index in ("min", "max") else ()
         symbol = next((q for q in asked if q.name == coordinate), None)
         if symbol is None or not (index in AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
             return False

@@ -5,9 +5,7 @@ from __future__ import annotations
 import pytest
 
 from lagrange.answers.examiner import check_answer
-from lagrange.answers.friction.rest_conditions import _as_conditions
 from lagrange.answers.questions.own_answers import compared_answers
-from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment
 from tests.mechanics.equilibrium.friction.test_conditions_of_rest import COLLAR, HELD, SMOOTH, STACKED
 from tests.mechanics.equilibrium.friction.test_friction_at_rest import ROUGH, Read, solved
@@ -55,11 +53,6 @@ def test_conditions_as_an_answer(problem: Read, text: str, answer: list[str], ve
     """`check -e` reads inequalities, alone and beside the limit."""
     judged = check_answer(problem(text), tuple(map(Fragment.of, answer)))
     assert judged.verdict.value == verdict
-
-
-def test_an_equation_without_sides_states_no_limit() -> None:
-    """It ended with an IndexError (the fuzzers' seed 65910076)."""
-    assert not [*_as_conditions([Fragment.of("=")], Reference.__new__(Reference))]
 
 
 CRATE = """title: Crate that is pushed
@@ -133,6 +126,8 @@ find: equilibrium
     ("stated", "verdict"),
     [
         ("P <= mu*abs(W - P)", "equivalent"),
+        ("P^2 <= mu^2*(W - P)^2", "equivalent"),
+        ("P^2 <= mu*(W - P)^2", "wrong"),
         ("P <= mu*(W - P)", "incomplete"),  # N upwards; it may rest with N downwards, too
         ("P <= mu*(P - W)", "incomplete"),
         ("P <= mu*(W + P)", "wrong"),
@@ -143,3 +138,18 @@ def test_one_of_two_cases_is_incomplete(problem: Read, stated: str, verdict: str
     [answer] = compared_answers(solved(problem, f"{RING}answers: {{rest: [{stated}]}}\n"))
     assert answer.verdict.value == verdict
     assert ("one of several cases" in answer.diagnosis) is (verdict == "incomplete")
+
+
+@pytest.mark.parametrize(
+    ("text", "answer", "verdict"),
+    [
+        (ROUGH, "tan(theta) <= 2*mu_A/(1 - mu_A*mu_B) or mu_A*mu_B >= 1", "equivalent"),
+        (ROUGH, "tan(theta) <= mu_A/(1 - mu_A*mu_B) or mu_A*mu_B >= 1", "wrong"),
+        (ROUGH, "mu_A*mu_B >= 1", "incomplete"),
+        (ROUGH, "mu_A*mu_B >= 2", "wrong"),
+        (ROUGH, r"$\tan\theta \le \frac{2\mu_A}{1 - \mu_A\mu_B}$ or $\mu_A\mu_B \ge 1$", "equivalent"),
+        (STACKED, "F <= mu_1*m*g or F <= mu_2*(m + M)*g", "wrong"),
+    ],
+)
+def test_cases_of_rest(problem: Read, text: str, answer: str, verdict: str) -> None:
+    assert check_answer(problem(text), (Fragment.of(answer),)).verdict.value == verdict

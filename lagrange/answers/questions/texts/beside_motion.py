@@ -18,12 +18,14 @@ from lagrange.answers.questions.frequencies import check_frequencies, frequencie
 from lagrange.answers.questions.named_values import label_of, written_label
 from lagrange.answers.questions.stability_in_text import WORD as STABLE
 from lagrange.answers.questions.stability_in_text import check_stability_beside
-from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, has_name, stated_frequencies
+from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, stated_frequencies
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of
+from lagrange.answers.written.names import has_word
+from lagrange.answers.written.values import with_all_values
 from lagrange.answers.written.working import understood
-from lagrange.core.diagnostics import Fragment, ProblemError, Span
+from lagrange.core.diagnostics import Fragment, ProblemError, Severity, Span
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
 
@@ -44,7 +46,7 @@ def with_results_beside(answer: Sequence[Fragment], judged: Judgement, solution:
     """The verdict on complete equations of motion, with that on other results that are asked for and stated."""
     if judged.verdict is not Verdict.EQUIVALENT:
         return judged
-    spans = [d.span for d in judged.messages if d.code == "not-judged" and d.span is not None]
+    spans = [d.span for d in judged.messages if d.span and (d.code == "not-judged" or d.level is Severity.ERROR)]
     lines = [f for f in answer if is_inequality(f) or any(_overlap(f.span(0, len(f.text)), s) for s in spans)]
     found = [v for v in _verdicts(lines, answer, solution) if v.verdict in _SETTLED] if lines else []
     return replace(judged, others=(*judged.others, *found)) if found else judged
@@ -72,7 +74,7 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
         if positions:
             from lagrange.answers.questions.equilibrium_in_text import positions_of
 
-            found = positions_of(positions, solution)
+            found = positions_of(with_all_values(positions, reference.scope.names()), solution)
             if found is not None:
                 yield found[0]
         claims = [f for f in lines if STABLE.search(getattr(f, "beside", ""))]
@@ -96,7 +98,7 @@ def _is_needed(fragment: Fragment, answer: Sequence[Fragment], reference: Refere
     label = written_label(fragment)
     if not label or label_of(fragment) in reference.declared:
         return False
-    return any(ACCELERATION.search(f.text) and has_name(label, f.text) for f in answer)
+    return any(ACCELERATION.search(f.text) and has_word(label, f.text) for f in answer)
 
 
 def _limits(fragment: Fragment) -> Iterator[Fragment]:

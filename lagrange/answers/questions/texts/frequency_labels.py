@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from lagrange.answers.written.names import has_word
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.edits import Draft, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
@@ -29,7 +30,7 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
         if is_natural and any(ACCELERATION.search(text) for text in others):
             continue  # omega_0^2 = g/l is an abbreviation beside an equation of motion
-        if match and not any(has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
+        if match and not any(has_word(name.split("^")[0].rstrip("²& "), text) for text in others):
             frequencies.append(f)
     return frequencies
 
@@ -58,11 +59,6 @@ def is_characteristic(fragment: Fragment) -> bool:
 
 
 _SQUARED = re.compile(r"(?:\\omega|[ωλ]|omega|\\lambda)(?:_\{?\w\}?)?\s*(?:\^\s*\{?\s*[24]|²|⁴|\*\*\s*[24])")
-
-
-def has_name(name: str, text: str) -> bool:
-    """Whether a name occurs in a text, and is no part of another one."""
-    return re.search(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z0-9_{{])", text) is not None
 
 
 def listed_frequencies(fragment: Fragment) -> list[Fragment]:

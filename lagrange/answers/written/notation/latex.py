@@ -91,9 +91,11 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
             break
     draft.apply(over_as_fraction(draft.text))
     draft.replace(_L_ALONG, lambda m: None if m["x"] == "t" else rf"\frac{{\ddot{m['f']}}}{{\dot{{{m['x']}}}}}")
+    draft.replace(_L_SECOND, lambda m: _second_as_partial(m, scope))
     draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
     if scope.role("d") is Role.UNDECLARED:
         draft.replace(_L_DIFFERENTIAL, lambda m: _upright(m, scope))
+    draft.replace(_L_BEFORE_BRACKETS, lambda m: rf"\left({m[0]}\right)" if m["f"] in scope.functions else None)
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(power_groups(draft.text))
     draft.apply(products_with_numbers(draft.text))
@@ -117,12 +119,33 @@ def _is_moving(name: str, scope: Scope) -> bool:
 
 def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:
     for start, end, new in of_argument(text, scope):
-        name, argument = new[5:-1].split(", ")
-        yield start, end, rf"\frac{{\partial {_in_latex(name)}}}{{\partial {_in_latex(argument)}}}"
+        order = new.count("diff(")
+        name, argument, *_ = new.replace("diff(", "").replace(")", "").split(", ")
+        power = f"^{order}" if order > 1 else ""
+        by = _in_latex(argument)
+        # in parentheses, since what follows in brackets is a factor and no argument
+        yield start, end, rf"\left(\frac{{\partial{power} {_in_latex(name)}}}{{\partial {by}{power}}}\right)"
 
 
 def _in_latex(name: str) -> str:
     return f"\\{name}" if name in GREEK.values() else name
+
+
+_L_BEFORE_BRACKETS = re.compile(
+    r"\\[dt]?frac\s*\{\s*\\partial(?:\s*\^\s*\{?2\}?)?\s*(?P<f>[A-Za-z])\s*\}\s*\{\s*\\partial\s*\\?[A-Za-z]+(?:\s*\^\s*\{?2\}?)?\s*\}"
+    r"(?=\s*(?:\\left|\\[bB]igg?l?)?\s*\()"
+)
+"""A derivative of a function before brackets, which are a factor and not its argument."""
+_L_SECOND = re.compile(
+    r"\\[dt]?frac\s*\{\s*d\s*\^\s*\{?\s*2\s*\}?\s*(?P<f>[A-Za-z])\s*\}\s*\{\s*d\s*(?P<x>\\?[A-Za-z]+)\s*\^\s*\{?\s*2\s*\}?\s*\}"
+)
+
+
+def _second_as_partial(match: re.Match[str], scope: Scope) -> str | None:
+    r"""`\frac{d^2 f}{dx^2}` as a partial derivative, where f is a function of the problem and x is not the time."""
+    if match["x"] == "t" or match["f"] not in scope.functions or scope.role("d") is not Role.UNDECLARED:
+        return None
+    return rf"\left(\frac{{\partial^2 {match['f']}}}{{\partial {match['x']}^2}}\right)"
 
 
 def _total_as_partial(match: re.Match[str], scope: Scope) -> str | None:

@@ -389,10 +389,11 @@ def _derivatives(draft: Draft, scope: Scope) -> None:
     """dθ/dt, d^2θ/dt^2, dU/dr, ∂L/∂θ', and the operators d/dt and ∂/∂x before what they are applied to."""
     if "/" not in draft.text:
         return
+    is_letter = scope.role("d") is not Role.UNDECLARED  # d/dt is an operator nevertheless
     draft.apply(_rates_of_brackets(draft.text, scope))
     draft.replace(_RATE, lambda m: _rate(m, scope))
     for _ in range(8):  # nested operators, the last first
-        matches = [m for m in _OPERATOR.finditer(draft.text) if scope.role("d") is Role.UNDECLARED or m[0][0] != "d"]
+        matches = [m for m in _OPERATOR.finditer(draft.text) if not is_letter or m[0][0] != "d" or m["by"] == "t"]
         if not matches:
             return
         draft.apply(_operator(draft.text, matches[-1]))
@@ -479,10 +480,15 @@ def of_argument(text: str, scope: Scope) -> Iterator[Edit]:
         if len(function.arguments) != 1 or function.arguments == ("t",) or len(name) > 20:
             continue
         (argument,) = function.arguments
-        prime, inside = r"\s*(?:'|′|’|\^\s*\{?\s*\\prime\s*\}?)\s*", rf"\(\s*{re.escape(argument)}\s*\)"
-        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}{prime}{inside}"
+        prime = r"(?:'|′|’|\^\s*\{?\s*(?:\\prime\s*){1,3}\}?)"
+        inside = rf"\(\s*{re.escape(argument)}\s*\)"
+        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?P<primes>{prime}{{1,3}})\s*{inside}"
         for match in re.finditer(pattern, text):
-            yield match.start(), match.end(), f"diff({name}, {argument})"
+            order = len(re.findall(r"'|′|’|\\prime", match["primes"]))
+            made = name
+            for _ in range(order):
+                made = f"diff({made}, {argument})"
+            yield match.start(), match.end(), made
 
 
 # Products

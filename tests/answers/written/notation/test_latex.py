@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from lagrange.answers.written.notation.latex import (
     over_as_fraction,
@@ -14,6 +15,7 @@ from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.edits import Draft
 from tests.support.scopes import PLANE
+from tests.support.shared import loaded
 
 
 @pytest.mark.parametrize(
@@ -38,3 +40,25 @@ def test_the_meaning_is_kept(text: str) -> None:
         == read_as_written(Fragment.of("m x'' = -k x"), PLANE).components
     )
     assert rewritten_latex(Fragment.of(r"\ddot x = a"), PLANE).text == r"\ddot x = a"
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        r"\ddot x = \frac{\partial f}{\partial x}\left(g + x\right)",
+        r"\ddot x = \frac{df}{dx}(g + x)",
+        r"\ddot x = f'(x)(g + x)",
+        "x'' = f'(x)*(g + x)",
+    ],
+)
+def test_brackets_after_a_derivative_are_a_factor(written: str) -> None:
+    scope = loaded("bead-on-any-wire").scope
+    [plain] = read_as_written(Fragment.of("x'' = diff(f, x)*(g + x)"), scope).components
+    assert sp.expand(read_as_written(Fragment.of(written), scope).components[0] - plain) == 0
+
+
+@pytest.mark.parametrize("written", [r"\ddot x = \frac{d^2 f}{dx^2}", r"\ddot x = f''(x)", "x'' = f''(x)"])
+def test_second_derivatives_of_functions(written: str) -> None:
+    scope = loaded("bead-on-any-wire").scope
+    [plain] = read_as_written(Fragment.of("x'' = diff(diff(f, x), x)"), scope).components
+    assert sp.expand(read_as_written(Fragment.of(written), scope).components[0] - plain) == 0

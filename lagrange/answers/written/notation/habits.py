@@ -1,0 +1,71 @@
+r"""Habits of writing that change no mathematics, put into usual signs before a text is taken apart.
+
+    \stackrel{!}{=}   \overset{(1)}{=}             =
+    \sum F_A = 0:\ m g - N = 0                     m g - N = 0: the name of a law before its equation
+    \sum F_x = -k x = m \ddot x                    -k x = m \ddot x
+    p = m r^2 \dot\phi = \text{const.}             p = m r^2 \dot\phi = \text{const}
+    \theta = 0 \lor \cos\theta = a    θ = 0 ∨ ...  \theta = 0 \text{ or } \cos\theta = a, and so with `oder`, `ou`
+    \sin\theta = \frac{M}{m} \quad (M < m)         \sin\theta = \frac{M}{m}
+    cos θ = 2/3 (θ ≈ 48.2°)    m g 2R              cos θ = 2/3    m g*2R
+    \frac{\mathrm dU}{\mathrm dr}                  \frac{dU}{dr}
+
+Whatever is omitted becomes spaces, so that every place stays where it is; an `or` takes more room than its sign.
+"""
+
+from __future__ import annotations
+
+import re
+
+from lagrange.expressions.syntax_tree import FUNCTIONS
+
+_LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
+_CONST = re.compile(r"(?<=\{)(\s*[Kk]onst|\s*const|\s*[Cc]st)\.\s*\}")
+_UPRIGHT_D = re.compile(r"\\(?:mathrm|text|rm|mathsf)\s+(d)(?=\s*[A-Za-z\\])")
+_SUM = r"\\sum(?![A-Za-z])(?:\\limits|_(?:\{[^{}]{0,12}\}|\w))?[^=:$\n&;,]{1,40}?"
+_LAW_BEFORE = re.compile(
+    rf"{_SUM}&?\s*(?:=|\\stackrel\{{!\}}\{{=\}})\s*&?\s*[^=:$\n&;,]{{1,24}}?"
+    r"(?::|\\(?:Rightarrow|Longrightarrow|implies|quad|qquad|to|rightarrow)(?![A-Za-z]))(?=[^$\n]*?=)"
+)
+_LAW_IN_CHAIN = re.compile(rf"{_SUM}&?\s*=(?=[^=$\n;:]{{1,200}}=)")
+_OR = re.compile(r"\\(?:lor|vee)(?![A-Za-z])")
+_OR_IN_OTHER_WORDS = re.compile(r"(?<=[\s,{])(?:oder|ou|bzw\.)(?=[\s}])")
+_OR_SIGN = re.compile(r"\s?∨\s?")
+_SIGN = r"(?:[<>≤≥≠]|\\(?:[lg]eq?|neq?|[lg]eqslant)(?![A-Za-z]))"
+_SIZE = r"\\?(?:left|right|big|Big)?"
+_CONDITION = re.compile(
+    rf"(?:\\q?quad(?![A-Za-z])|\\[,;:! ]|~|\s)\s*{_SIZE}\s*\((?=[^()]*{_SIGN})[^(){{}}$\n=]{{1,80}}{_SIZE}\)"
+    r"(?=\s*[.,;]?\s*(?:\$|\\\]|\\\)|\\\\|\\end|\Z))"
+)
+"""A condition in parentheses at the end of an equation in LaTeX, which has no rate: friction depends on its sign."""
+
+
+_ABOUT_AS_WELL = re.compile(
+    r"(?<=[\w)}°²$])\s+\((?:[^()=<>≤≥$]{0,24}?)(?:≈|≃|\\approx(?![A-Za-z])|\bapprox\.?|\bca\.|\bi\.\s?e\.)"
+    r"\s*[-+−]?[0-9][^()=<>$]{0,24}\)"
+)
+"""A number in parentheses after an exact result, `cos θ = 2/3 (θ ≈ 48.2°)`."""
+_NUMBER_AMONG_LETTERS = re.compile(r"(?<![\w\\.])(?P<word>[A-Za-z]{1,5}) (?=[2-9](?:[A-Za-z](?![A-Za-z]{2})|\())")
+"""A number right before a letter, after a name: `m g 2R`. An index, `x 2`, stands alone."""
+_NO_NAMES = "arcsin arccos arctan ln sgn to is of and or by at in for the with so are as eq case dt"
+_FUNCTIONS = frozenset({*FUNCTIONS, *_NO_NAMES.split()})
+
+
+def in_usual_signs(text: str) -> str:
+    """The text without these habits."""
+    if "\\" in text:
+        text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
+        text = _CONST.sub(r"\1} ", text)
+        text = _UPRIGHT_D.sub(lambda m: m[1].rjust(len(m[0])), text)
+        if "\\sum" in text:
+            text = _LAW_BEFORE.sub(_blank, text)
+            text = _LAW_IN_CHAIN.sub(_blank, text)
+        text = _OR.sub(r"\\text{ or }", text)
+        text = _CONDITION.sub(lambda m: m[0] if "dot" in m[0] or "'" in m[0] else _blank(m), text)
+    text = _OR_IN_OTHER_WORDS.sub("or", text)
+    text = _ABOUT_AS_WELL.sub(_blank, text)
+    text = _NUMBER_AMONG_LETTERS.sub(lambda m: m[0] if m["word"] in _FUNCTIONS else f"{m['word']}*", text)
+    return _OR_SIGN.sub(r" \\text{ or } " if "\\" in text else " or ", text)
+
+
+def _blank(match: re.Match[str]) -> str:
+    return " " * len(match[0])
