@@ -181,6 +181,10 @@ class Point:
             self.assigned[symbol] = self._sign(symbol) if isinstance(symbol, Sign) else self._drawn(symbol)
         return self.assigned[symbol]
 
+    def is_difference_zero(self, difference: Any, sizes: Iterable[Any]) -> bool:  # noqa: ARG002
+        """Whether a difference of numbers of these sizes vanishes. Raises InadmissibleError where that is undecided."""
+        return bool(self.arithmetic.vanishes(difference))
+
     def require_positive(self, value: Any) -> None:
         """Raises InadmissibleError unless the value is a square (a positive number), and not 0."""
         self.arithmetic.root(value)
@@ -244,7 +248,8 @@ class Point:
             return None
         b, c = (p.at(node) - sum(a * p.input(u) for a, u in zip(row, unknowns, strict=True)) for p in (self, other))
         reduce = self.arithmetic.reduce
-        return [*row, reduce(b)] if self.arithmetic.vanishes(reduce(b - c)) else None
+        sizes = (self.at(node), other.at(node), b, c)
+        return [*row, reduce(b)] if self.is_difference_zero(reduce(b - c), sizes) else None
 
     def _slopes(self, node: int, unknowns: Sequence[sp.Symbol]) -> NumberRow | None:
         """Derivatives of a node by the unknowns; None if these occur in other than sums, products, powers."""

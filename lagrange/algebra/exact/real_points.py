@@ -16,7 +16,7 @@ will do. Reference: Gauss–Newton for underdetermined systems in any book on nu
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from operator import mul
 from random import Random
@@ -124,9 +124,13 @@ class RealPoint(Point):
 
         Raises InadmissibleError.
         """
-        size = abs(self.at(node))
-        sizes = (abs(v) for n in self.graph.order(node) if not isinstance(v := self._values[n], tuple))
-        if size > _SMALL * max(1, *sizes):
+        sizes = (v for n in self.graph.order(node) if not isinstance(v := self._values[n], tuple))
+        return self.is_difference_zero(self.at(node), sizes)
+
+    def is_difference_zero(self, difference: Any, sizes: Iterable[Any]) -> bool:
+        """The same of a difference: 0.0004 between numbers of 10^75 may be what rounding has left."""
+        size = abs(difference)
+        if size > _SMALL * max(1, *map(abs, sizes)):
             return False
         if size < _TINY:
             return True

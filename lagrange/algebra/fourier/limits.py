@@ -32,6 +32,8 @@ MOST_JOINING_ROUNDS = 8
 # coefficient [155 beyond, up to 18]; angles and degree of a polynomial in single sines and cosines [3; 8], of which
 # 2^angles forms are compared.
 LONGEST_SEARCHED = 4
+# Frequencies, or terms, of which all pairs are tried for a common factor, or joined: 1,150 sums [18].
+LONGEST_PAIRED = 24
 MOST_SEPARATED_ANGLES = 3
 HIGHEST_SEPARATED = 12
 

@@ -22,6 +22,7 @@ from lagrange.algebra.fourier.division import Complex, over_wave
 from lagrange.algebra.fourier.elements import UNIT, Basis, Element
 from lagrange.algebra.fourier.limits import (
     HIGHEST_SEPARATED,
+    LONGEST_PAIRED,
     LONGEST_SEARCHED,
     MOST_SEPARATED_ANGLES,
     PAIRS_IN_A_UNIT,
@@ -174,15 +175,21 @@ class Factoring:
         """Half sums and half differences of the frequencies, the simplest first."""
         # cos u divides Σ of waves only if these pair up into frequencies v ± u: u is half a sum or half a difference.
         frequencies = sorted({w for _, w in element.terms})
-        spend(len(frequencies) ** 2 / PAIRS_IN_A_UNIT)
+        spend(min(len(frequencies), LONGEST_PAIRED) * len(frequencies) / PAIRS_IN_A_UNIT)
         fine = not all(map(self._basis.is_whole, frequencies))
-        sums = {abs(a + b) for a in frequencies for b in (0, *frequencies, *(-w for w in frequencies))}
+        if len(frequencies) <= LONGEST_PAIRED:
+            sums = set[int]().union(*(_sums(a, frequencies) for a in frequencies))
+        else:  # every frequency has its partner, and of a dozen together there are few
+            sums = set.intersection(*(_sums(a, frequencies) for a in frequencies[:: len(frequencies) // 12]))
         halves = {self._basis.half(w, fine) for w in sums if w}
         return sorted((w for w in halves if w), key=lambda w: (self._weight(w), self._name(w)))
 
     def _joined(self, element: Element, parts: list[WavePart]) -> Iterator[tuple[TrigProduct, ...]]:
         """The element as a joined pair of terms and the rest; if long, one pair of equal coefficient."""
-        # All pairs in all orders would take exponential time: a long sum is joined pair by pair, as they come.
+        # All pairs in all orders would take exponential time: a long sum is joined pair by pair, as they come, and of a
+        # very long one the terms are left as they are.
+        if len(parts) > LONGEST_PAIRED:
+            return
         searched = len(parts) <= LONGEST_SEARCHED
         for one, two in combinations(parts, 2):
             alike = abs(one[1]) == abs(two[1])
@@ -262,6 +269,11 @@ class Factoring:
         if any(abs(value) > UNIT for _, value in places):
             return 6
         return 2 if len(places) == 1 else 4
+
+
+def _sums(a: int, frequencies: Sequence[int]) -> set[int]:
+    """The sums and differences of one frequency with all of them and 0."""
+    return {abs(a + b) for b in (0, *frequencies, *(-w for w in frequencies))}
 
 
 def _size(part: WavePart) -> Fraction:

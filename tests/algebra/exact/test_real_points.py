@@ -33,6 +33,24 @@ def test_a_real_symbol_may_have_either_sign() -> None:
     assert {surface.real_point(n).value(x) > 0 for n in range(30)} == {True, False}
 
 
+def test_a_difference_of_large_numbers_may_be_rounding() -> None:
+    """sin(x/7919) + sin(3 x/7901) + ... over a common denominator has coefficients of 10^75."""
+    here = real_point()
+    one, large = here.number(1), here.number(10**75)
+    with pytest.raises(InadmissibleError):
+        here.is_difference_zero(one / 1000, [large, -large])
+    assert not here.is_difference_zero(one / 1000, [one])
+    assert here.is_difference_zero(one / large, [large])
+    rounded = 0
+    for n in range(10**80, 10**80 + 12):
+        try:
+            assert here.affine([n * ((x + sp.cos(theta)) ** 2 + u * sp.sin(x) + v * sp.cos(x))], [u, v])
+        except InadmissibleError:
+            rounded += 1
+    assert rounded
+    assert here.affine([10**75 * u**2 + v], [u, v]) is None
+
+
 def test_a_system_too_steep_for_a_step() -> None:
     """Rounding may leave JᵀJ dx = −Jᵀf, of more equations than unknowns, without a solution."""
 
