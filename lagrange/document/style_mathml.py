@@ -34,6 +34,7 @@ _SET_OFF = (
     '<mover><mi class="v"',
     '<msub><mover><mi class="v"',
 )
+_WITH_PRIME = re.compile(r"<msup>(?P<letter>.*)(?P<prime><mo>[′″‴]</mo>)</msup>")
 _WITH_INDEX = re.compile(
     r"<msub>(?P<letter><mi[^>]*>[^<]+</mi>|<mover><mi[^>]*>[^<]+</mi><mo[^>]*>[^<]+</mo></mover>)"
     r"(?P<index><(mn|mi|mtext)>[^<]+</\3>|<mrow>(?:(?!</?mrow>).)*</mrow>)</msub>"
@@ -131,6 +132,10 @@ class MathML(Unicode):
             return Piece(
                 f"<msubsup>{letter}{named['index']}{row(exponent.code)}</msubsup>", Precedence.POWER, tight=True
             )
+        primed = _WITH_PRIME.fullmatch(below)
+        if primed is not None:  # one behind the other
+            raised = row(primed["prime"] + exponent.code)
+            return Piece(f"<msup>{primed['letter']}{raised}</msup>", Precedence.POWER, tight=True)
         below = _without_height(below)
         return Piece(f"<msup>{below}{row(exponent.code)}</msup>", Precedence.POWER, tight=True)
 
