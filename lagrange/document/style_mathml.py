@@ -34,7 +34,6 @@ _SET_OFF = (
     '<mover><mi class="v"',
     '<msub><mover><mi class="v"',
 )
-_WITH_PRIME = re.compile(r"<msup>(?P<letter>.*)(?P<prime><mo>[′″‴]</mo>)</msup>")
 _WITH_INDEX = re.compile(
     r"<msub>(?P<letter><mi[^>]*>[^<]+</mi>|<mover><mi[^>]*>[^<]+</mi><mo[^>]*>[^<]+</mo></mover>)"
     r"(?P<index><(mn|mi|mtext)>[^<]+</\3>|<mrow>(?:(?!</?mrow>).)*</mrow>)</msub>"
@@ -132,10 +131,6 @@ class MathML(Unicode):
             return Piece(
                 f"<msubsup>{letter}{named['index']}{row(exponent.code)}</msubsup>", Precedence.POWER, tight=True
             )
-        primed = _WITH_PRIME.fullmatch(below)
-        if primed is not None:  # one behind the other
-            raised = row(primed["prime"] + exponent.code)
-            return Piece(f"<msup>{primed['letter']}{raised}</msup>", Precedence.POWER, tight=True)
         below = _without_height(below)
         return Piece(f"<msup>{below}{row(exponent.code)}</msup>", Precedence.POWER, tight=True)
 
@@ -182,7 +177,7 @@ class MathML(Unicode):
 
     def slope(self, inner: Piece, order: int, at: Sequence[str] = ()) -> Piece:
         """A derivative of a function of one variable."""
-        code = f"<msup>{inner.code}<mo>{'′″‴'[order - 1]}</mo></msup>"
+        code = f'<mrow>{inner.code}<mo lspace="0" rspace="0">{"′″‴"[order - 1]}</mo></mrow>'  # a glyph that is raised
         return Piece(code + (self.arguments(at) if at else ""))
 
     def rate(self, inner: Piece) -> Piece:
