@@ -177,7 +177,7 @@ class MathML(Unicode):
 
     def slope(self, inner: Piece, order: int, at: Sequence[str] = ()) -> Piece:
         """A derivative of a function of one variable."""
-        code = f"<msup>{inner.code}<mo>{'′″‴'[order - 1]}</mo></msup>"
+        code = f'<mrow>{inner.code}<mo lspace="0" rspace="0">{"′″‴"[order - 1]}</mo></mrow>'  # a glyph that is raised
         return Piece(code + (self.arguments(at) if at else ""))
 
     def rate(self, inner: Piece) -> Piece:

@@ -299,8 +299,8 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
                 Equation((VectorSymbol(f"F_{f.name}"), f.vector)),
                 Equation((VectorSymbol(f"r_{f.name}"), f.point)),
             )
-            words = f"{capital(load_called(f.name))} on {the(f.on)} and its point of application are"
-            blocks += [prose(words), display(*lines)]
+            called = capital(load_called(f.name))
+            blocks += [prose(f"{called} on {the(f.on)} and its point of application are"), display(*lines)]
     blocks += moments_on(configuration, rough)
     blocks += explain_links(configuration)
     blocks += _beside_energies(problem, configuration)

@@ -241,11 +241,12 @@ def _each_once(parts: Sequence[Part], numbers: Mapping[str, int]) -> list[Part]:
     """The parts without a reference to the number that the one before it in the same list has."""
     kept: list[Part] = []
     for part in parts:
-        if isinstance(part, Ref) and len(kept) > 1 and kept[-1] in (", ", " and ") and isinstance(kept[-2], Ref):
+        before, between = kept[-2:] if len(kept) > 1 else ("", "")
+        if isinstance(part, Ref) and between in (", ", " and ") and isinstance(before, Ref):
             number = numbers.get(part.label)
-            if number is not None and numbers.get(kept[-2].label) == number:
-                between = kept.pop()
-                if between == " and " and len(kept) > 2 and kept[-2] == ", " and isinstance(kept[-3], Ref):
+            if number is not None and numbers.get(before.label) == number:
+                kept.pop()
+                if between == " and " and len(kept) > 2 and kept[-2] == ", ":
                     kept[-2] = between
                 continue
         kept.append(part)

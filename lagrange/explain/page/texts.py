@@ -1,7 +1,8 @@
 """Texts of the problem file as they are printed, with the mathematics in them set as mathematics.
 
 That is `l*sin(theta)` between backquotes, $l \\sin\\theta$ between dollars, an equation or a power in declared names
-without any marks, z = c (x^2 + y^2), and a declared symbol as it stands: alpha, l1, m. The letters a and I are words.
+without any marks, z = c (x^2 + y^2), and a declared symbol as it stands: alpha, l1, m. The letters a and I are words,
+but for the distance a.
 What cannot be read stays as it was written.
 """
 
@@ -29,6 +30,8 @@ _ROOT = re.compile(r"([0-9]*)\s*(?:\\sqrt\{([^{}]*)\}|\*?sqrt\(([^()]*)\))")
 _NUMBERED = re.compile(r"[a-z]_?\d")
 """Vectors whose names are no words: n1, e_3."""
 _WORDS = frozenset({"a", "A", "I"})
+_MEASURED = re.compile(r"\b(?:amplitude|depth|distance|height|length|radius|thickness|width)s? $")
+"""What a letter follows that is else a word: the distance a."""
 
 
 def set_text(text: str, problem: Problem) -> tuple[Part, ...]:
@@ -129,6 +132,7 @@ def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
     symbols = {q.name: q for q in (*problem.slots.coordinates, *problem.slots.prescribed, *problem.unknowns)}
     symbols |= {p.symbol.name: p.symbol for p in problem.parameters}
     symbols |= {c.reaction.name: c.reaction for c in problem.constraints if not c.reaction.name.startswith("lambda_")}
+    symbols |= {name: sp.Symbol(name, real=True) for name in _letters(problem) if name not in symbols}
     units: dict[str, sp.Expr] = {name: unit for name, unit in UNITS.items() if name not in symbols}
     units |= {name: UnitVector(name) for name in problem.scope.vectors if _NUMBERED.fullmatch(name)}
     if len(problem.bodies) == 1:  # n1 of the only body
@@ -143,12 +147,18 @@ def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
             yield math(units[name])
             end = match.end()
             continue
-        if name not in symbols or name in _WORDS:
+        if name not in symbols or (name in _WORDS and not _MEASURED.search(text[: match.start()])):
             continue
         yield text[end : match.start()]
         yield math(sp.Symbol(match[1], real=True) if match[1] != name else symbols[name])
         end = match.end()
     yield text[end:]
+
+
+def _letters(problem: Problem) -> Iterator[str]:
+    """The names of quasi-velocities and undefined functions that are no words: v, f, omega_1."""
+    names = (*(s.symbol.name for s in problem.speeds), *(f.name for f in problem.functions))
+    return (name for name in names if len(name) == 1 or _NUMBERED.fullmatch(name))
 
 
 def _joined(parts: list[Part]) -> Iterator[Part]:

@@ -13,6 +13,7 @@ from tests.support.shared import loaded
 PROBLEM = read(
     "title: T\ncoordinates: [x, theta, r_1]\nparameters: [m, l, l1, alpha, a, I]\n"
     "particles: {P: {mass: m, position: x*i}}\nconstraints: {c: r_1 = l}\n"
+    "functions: {f: [x]}\nspeeds: {w: x'}\n"
 )
 
 
@@ -31,6 +32,8 @@ def written(text: str) -> str:
         ("rods l1 and r_1", "rods ‹l₁› and ‹r₁›"),
         ("its rate theta' is small", "its rate ‹θ̇› is small"),
         ("I take a body; its a is a letter", "I take a body; its a is a letter"),
+        ("a distance a ahead, of radius a", "a distance ‹a› ahead, of radius ‹a›"),
+        ("the speed w, and f rises", "the speed ‹w›, and ‹f› rises"),
         ("d'Alembert's x-axis, m's", "d'Alembert's ‹x›-axis, m's"),
         ("where `l*sin(theta) = x` holds", "where ‹l sin θ=x› holds"),
         ("$\\sqrt{3} \\sin\\alpha$ times", "‹√3 sin α› times"),
