@@ -31,7 +31,13 @@ from lagrange.algebra.closed_forms.intervals import (
     outward,
     square_root,
 )
-from lagrange.algebra.closed_forms.limits import HIGHEST_COUNTED_DEGREE, MOST_BOXED_UNKNOWNS, MOST_BOXES, SCANNED
+from lagrange.algebra.closed_forms.limits import (
+    HIGHEST_COUNTED_DEGREE,
+    MOST_BOXED_UNKNOWNS,
+    MOST_BOXES,
+    QUARTER_TURNS,
+    SCANNED,
+)
 from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values, one_unknown, trivial_solutions
@@ -98,7 +104,10 @@ def with_values(b: Branch, divisors: Sequence[sp.Expr], letters: TrigLetters) ->
     exists = b.occupied and len(conditions) == len(b.conditions)
     exists = exists or _holds_trivially(equations, conditions, letters)
     if not exists and len(equations) == 1 and all(c.relation == "≠" for c in conditions):
-        exists = _crosses_zero(equations[0], [letters.read(c.lhs - c.rhs) for c in conditions], letters)
+        avoided = [letters.read(c.lhs - c.rhs) for c in conditions]
+        exists = _crosses_zero(equations[0], avoided, letters)
+        beyond_zero = len(letters.unknowns) == 1 and all(a in letters.unknowns for a in avoided)
+        exists = exists or (beyond_zero and _takes_both_signs(equations[0], letters, first=1))
     return replace(b, conditions=tuple(conditions), occupied=exists)
 
 
@@ -300,21 +309,32 @@ def _has_odd_degree(e: sp.Expr, letters: TrigLetters) -> bool:
     return False
 
 
-def _takes_both_signs(e: sp.Expr, letters: TrigLetters) -> bool:
-    """Whether a continuous function of one angle is positive at one quarter turn and negative at another."""
+def _takes_both_signs(e: sp.Expr, letters: TrigLetters, first: int = 0) -> bool:
+    """Whether a continuous function of one angle is positive at one quarter turn and negative at another.
+
+    first  the first quarter turn that counts where the angle also occurs outside sines and cosines
+    """
     unknowns = letters.unknowns_in(e)
     angle = letters.angles.get(*unknowns) if len(unknowns) == 1 else None
-    if angle is None or unknowns & e.free_symbols:
+    if angle is None:
         return False
+    [u] = unknowns
     roots = _roots_used(e.free_symbols, letters)
     if not all(_is_positive(letters.roots[r], angle, letters) for r in roots):
         return False
     for r in reversed(roots):
         e = e.xreplace({r: sp.sqrt(letters.roots[r])})
-    if any(p.exp.is_negative and {*angle.letters} & p.free_symbols for p in e.atoms(sp.Pow)):
+    if any(p.exp.is_negative and {u, *angle.letters} & p.free_symbols for p in e.atoms(sp.Pow)):
         return False
-    quarters = ((1, 0), (0, 1), (-1, 0), (0, -1))
-    values = (e.xreplace(dict(zip(angle.letters, map(sp.Integer, quarter), strict=True))) for quarter in quarters)
+    if not e.is_polynomial(u):
+        return False
+    quarter = sp.pi / 2 / angle.measure.coeff(u)
+    turns = range(first, QUARTER_TURNS + 1) if u in e.free_symbols else range(4)
+    on_circle = ((1, 0), (0, 1), (-1, 0), (0, -1))
+    values = (
+        e.xreplace({u: n * quarter, **dict(zip(angle.letters, map(sp.Integer, on_circle[n % 4]), strict=True))})
+        for n in turns
+    )
     return {1, -1} <= {_strict(v) for v in values}
 
 

@@ -40,11 +40,12 @@ LONGEST_ROOT = 80
 
 # Whether equations that are not solved have a real solution (`existence`): the degree of a polynomial of which the
 # real roots are counted, unknowns of a box, boxes tried, about 0.1 ms each, and places on either side of 0 between
-# which a sign may change.
+# which a sign may change; quarter turns at which a function of an angle, and of its sine and cosine, is evaluated.
 HIGHEST_COUNTED_DEGREE = 40
 MOST_BOXED_UNKNOWNS = 3
 MOST_BOXES = 3000
 SCANNED = 60
+QUARTER_TURNS = 8
 
 # Conditions that are reduced together, the degree in one monomial of those that become intervals, and multiples of
 # conditions of which another one is the sum (`conditions`).

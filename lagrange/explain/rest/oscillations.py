@@ -160,7 +160,8 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
         )
         yield from singular_places(e)
         return
-    yield prose(f"{start} at" if linearization.complete else f"{start}, perhaps among other positions, at")
+    listed_ = linearization.complete or linearization.branches == e.branches  # solved, or stated by their equations
+    yield prose(f"{start} at" if listed_ else f"{start}, perhaps among other positions, at")
     for n, b in enumerate(linearization.branches, start=1):
         lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
         if not lines:

@@ -101,3 +101,16 @@ def test_what_cannot_be_read_in_letters_stays_open() -> None:
     x = sp.Symbol("x", real=True)
     branch = Branch((), left=((1 / x) ** sp.Rational(1, 4) - x - 1,))
     assert real_branches([branch], TrigLetters([x], [x])) == [branch]
+
+
+@pytest.mark.parametrize(
+    ("equation", "exists"),
+    [
+        (a * sin(theta) - b * theta * cos(theta), True),  # tan θ = (b/a) θ between π and 3π/2
+        (a * cos(theta) - b * theta * (2 + sin(theta)), True),
+        (a * sin(theta) - b * theta, False),  # only for a > b, or for large angles: left open
+    ],
+)
+def test_an_angle_outside_sines_and_cosines(equation: sp.Expr, exists: bool) -> None:
+    [branch] = unsolved([equation])
+    assert branch.occupied is exists
