@@ -47,12 +47,22 @@ TIERS = {
 }
 
 ALWAYS = {
+    "docs/test_architecture.py::test_every_module_has_a_test_file_of_its_name",
+    "docs/test_architecture.py::test_no_module_imports_itself_by_a_detour",
+    "docs/test_architecture.py::test_no_text_is_evaluated_and_nothing_is_simplified",
+    "docs/test_architecture.py::test_packages_import_only_those_before_them",
+    "docs/test_diagnostics.py::test_every_code_has_an_entry_and_every_entry_a_code",
+    "docs/test_limits.py::test_no_other_module_has_a_limit",
+    "document/test_math_writer.py::test_text_is_read_back",
     "explain/test_constraints.py::test_a_form_has_a_name_that_nothing_else_has",
+    "expressions/test_latex_lexer.py::test_meanings",
     "golden/test_golden.py::test_output_is_as_it_was",
     "problems/test_read_back.py::test_it_passes_its_own_checks_and_agrees_with_its_answers",
     "problems/test_read_back.py::test_equations_can_be_read_again",
+    "support/test_processes.py::test_every_process_has_a_limit",
 }
-"""Long, and run each time: every shipped problem is solved, its checks hold, and what is printed means what it should."""
+"""Long, and run each time: the rules for imports, limits and processes hold, every shipped problem is solved, its checks
+hold, and what is printed means what it should."""
 
 LONG = 0.5
 SHORT = 0.2
