@@ -221,5 +221,7 @@ class Asked:
     @property
     def has_bare_numbers(self) -> bool:
         """Whether a condition or an initial value is a number that may hide a unit, `t = 2`."""
+        measured = [m for m in (*(c.measured for c in self.question.when), *(s.measured for s in self.initial)) if m]
         sides = [*(e for c in self.question.when for e in (c.lhs, c.rhs)), *(s.value for s in self.initial)]
-        return any(e.is_number and e != 0 and not (e / sp.pi).is_Rational for e in sides)
+        has_unit = any(any(m.dimension) for m in measured)  # 300 rpm is 10π, and no angle
+        return has_unit or any(e.is_number and e != 0 and not (e / sp.pi).is_Rational for e in sides)

@@ -62,3 +62,22 @@ def test_an_absolute_value_is_no_angle(problem: Read) -> None:
     answers = [line for line in page[page.index("Question") :].splitlines() if "|ẋ|" in line]
     assert answers
     assert not [line for line in answers if "°" in line]
+
+
+SPUN = """\
+title: A disc spun up
+parameters: {I: 2 kg m^2, M: 5 N m}
+coordinates: [phi]
+bodies: {disc: {mass: 1, inertia: I, position: 0*i, angle: phi}}
+forces: {motor: {on: disc, moment: M*k}}
+initial: {phi: 0, phi': 0}
+ask: {turns: {quantity: phi/(2*pi), when: "phi' = 300 rpm"}}
+"""
+
+
+def test_a_number_of_turns_has_no_unit_that_300_rpm_hide(problem: Read) -> None:
+    """φ/2π = ω² I/(4π M), in which ω = 10π only."""
+    explained = report(problem(SPUN))
+    [answer] = as_object(explained)["asked"]
+    assert answer["number"] == pytest.approx((10 * math.pi) ** 2 * 2 / (4 * math.pi * 5))
+    assert answer["unit"] is None
