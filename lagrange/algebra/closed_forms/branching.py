@@ -41,6 +41,8 @@ from lagrange.algebra.closed_forms.single_equation import (
     Root,
     Values,
     one_unknown,
+    pair_of_sum,
+    parallel_angles,
     plain_roots,
     trivial_solutions,
 )
@@ -407,6 +409,10 @@ class _BranchSearch:
             yield from self.branches(other)
             continue
         if self._linear(state, with_unknowns=True) is None:
+            if parallel := self._parallel(state):
+                for other in parallel:
+                    yield from self.branches(other)
+                return
             for values in trivial_solutions(state.equations, self.letters):
                 yield from self.branches(self._taken(state, (), values))
             yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
@@ -504,31 +510,36 @@ class _BranchSearch:
                 if parts is None or self.letters.unknowns_in(parts[0]):
                     continue
                 value = factored_quotient(-parts[1] / parts[0])
-                pair = self._pair_of(self.letters.angles[u].measure.xreplace({u: value}))
+                pair = pair_of_sum(self.letters.angles[u].measure.xreplace({u: value}), self.letters)
                 if pair is None:
                     continue
-                values = {u: value, **dict(zip(self.letters.angles[u].letters, pair, strict=True))}
-                return replace(
-                    state,
-                    equations=(*state.equations[:n], *state.equations[n + 1 :]),
-                    values={**state.values, **values},
-                    common={**state.common, **values},
-                    relations=(*state.relations, Relation(u, value)),
-                    conditions=(*state.conditions, *self._nonzero(parts[0])),
-                    solved=(*state.solved, u),
-                )
+                taken = self._with_angle(state, n, Relation(u, value), pair)
+                return replace(taken, conditions=(*state.conditions, *self._nonzero(parts[0])))
         return None
 
-    def _pair_of(self, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
-        """Cosine and sine of an angle in the letters of the unknowns; None if it is no sum of multiples of them."""
-        for term in sp.Add.make_args(sp.expand(angle)):
-            unknown = self.letters.unknowns_in(term)
-            if unknown and not (term.as_coeff_Mul()[1] in unknown and term.as_coeff_Mul()[1] in self.letters.angles):
-                return None
-        try:
-            return self.letters.pair(angle)
-        except NotAlgebraicError:
-            return None
+    def _with_angle(self, state: _State, n: int, relation: Relation, pair: Sequence[sp.Expr]) -> _State:
+        """The state in which equation n gives an angle; `pair` has its cosine and sine."""
+        u = relation.lhs
+        values = {u: relation.rhs, **dict(zip(self.letters.angles[u].letters, pair, strict=True))}
+        return replace(
+            state,
+            equations=(*state.equations[:n], *state.equations[n + 1 :]),
+            values={**state.values, **values},
+            common={**state.common, **values},
+            relations=(*state.relations, relation),
+            solved=(*state.solved, u),
+        )
+
+    def _parallel(self, state: _State) -> list[_State]:
+        """The states with α = β and α = β + π in place of sin(α − β) = 0, or with −β of sin(α + β) = 0."""
+        for n, e in enumerate(state.equations):
+            found = parallel_angles(e, [u for u in self.letters.unknowns if u not in state.solved], self.letters)
+            if found is not None:
+                a, b, sign = found
+                values = [(sign * b, 1), (sign * b + sp.pi, -1)]
+                cosine, sine = self.letters.angles[b].letters
+                return [self._with_angle(state, n, Relation(a, v), (k * cosine, k * sign * sine)) for v, k in values]
+        return []
 
     def _nonzero(self, coefficient: sp.Expr) -> list[SignCondition]:
         """The conditions under which what is divided by does not vanish: k l ≠ m g."""

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
-from itertools import product
+from itertools import combinations, product
 from typing import TypeAlias
 
 import sympy as sp
@@ -30,7 +30,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import (
     square_root,
 )
 from lagrange.algebra.closed_forms.signs import SignCondition, between_minus_one_and_one, not_negative
-from lagrange.algebra.closed_forms.unit_circle import LetteredAngle, TrigLetters, with_square
+from lagrange.algebra.closed_forms.unit_circle import LetteredAngle, NotAlgebraicError, TrigLetters, with_square
 from lagrange.core.records import record
 
 Values: TypeAlias = Mapping[sp.Symbol, sp.Expr]
@@ -371,3 +371,28 @@ def trivial_solutions(equations: Sequence[sp.Expr], letters: TrigLetters) -> Ite
                 values |= {angle.cosine: sp.cos(measure), angle.sine: sp.sin(measure)}
         if all(sp.expand(e.xreplace(values)) == 0 for e in equations):
             yield values
+
+
+def parallel_angles(
+    e: sp.Expr, unknowns: Sequence[sp.Symbol], letters: TrigLetters
+) -> tuple[sp.Symbol, sp.Symbol, int] | None:
+    """The angles of a multiple of sin(α − β), with +1, or of sin(α + β), with −1, an equation in letters; else None."""
+    angles = [u for u in unknowns if u in letters.angles and letters.angles[u].measure == u]
+    for (a, b), sign in product(combinations(angles, 2), (1, -1)):
+        (cos_a, sin_a), (cos_b, sin_b) = letters.angles[a].letters, letters.angles[b].letters
+        share = sp.expand(e).coeff(sin_a * cos_b)
+        if share.is_number and share != 0 and sp.expand(e - share * (sin_a * cos_b - sign * cos_a * sin_b)) == 0:
+            return a, b, sign
+    return None
+
+
+def pair_of_sum(angle: sp.Expr, letters: TrigLetters) -> tuple[sp.Expr, sp.Expr] | None:
+    """Cosine and sine of an angle in the letters of the unknowns; None where it is no sum of multiples of them."""
+    for term in sp.Add.make_args(sp.expand(angle)):
+        unknown = letters.unknowns_in(term)
+        if unknown and not (term.as_coeff_Mul()[1] in unknown and term.as_coeff_Mul()[1] in letters.angles):
+            return None
+    try:
+        return letters.pair(angle)
+    except NotAlgebraicError:
+        return None

@@ -406,11 +406,14 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         branches += tuple(b for b in beside if not b.special and not any(is_part(b, o, solution) for o in branches))
     if not solution.solved:
         verdicts = [solution.verified] if any(not b.left for b in branches) else []
-        for place in (*symmetric_places(equations, coordinates), *place_as_drawn(e.configuration)):
+        drawn = [*place_as_drawn(e.configuration)]
+        for place in (*symmetric_places(equations, coordinates), *drawn):
             there = solved(*place)
             beside, _ = _without(there.branches, multipliers)
             stated = {b.relations for b in branches}
-            closed = (b for b in beside if not b.left and b.relations not in stated)
+            # Of a drawing that fits particular parameters only, strings of equal length, nothing is known in general.
+            fitting = [b for b in beside if not (b.special and place in drawn)]
+            closed = (b for b in fitting if not b.left and b.relations not in stated)
             more = [b for b in closed if not any(is_part(b, o, solution) for o in branches)]
             branches = (*more, *branches)
             verdicts += [there.verified] if more else []

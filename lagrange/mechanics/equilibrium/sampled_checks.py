@@ -222,7 +222,8 @@ class Samples:
         drawn = {x for e in (*self.forces, *expressions) for x in e.free_symbols} - fixed
         for x in sorted(drawn, key=str):
             point.input(x)
-        for q in sorted(fixed, key=str):
+        by_others = {q for q in fixed if q in values and values[q].free_symbols & fixed}  # α = β
+        for q in sorted(fixed - by_others, key=str):
             if q in values:
                 places[q] = point.value(written(q))
                 continue
@@ -232,6 +233,8 @@ class Samples:
             turned.set_angle(q, pair, int(q / angle.measure))
             places[q] = turned.input(q)
         point.move(places)
+        if by_others:
+            point.move({q: point.value(written(q)) for q in by_others})
         return point
 
     def _letters(self, q: sp.Symbol) -> tuple[sp.Symbol, ...]:

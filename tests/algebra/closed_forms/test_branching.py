@@ -34,6 +34,8 @@ SYSTEMS = [
     (("x^2 + y^2 - a^2 - b^2", "x - a"), "x y"),
     (("sin(theta)*cos(phi)*a", "b*sin(phi)"), "theta phi"),
     (("a*sin(theta) - b*sin(phi)", "phi*0 + sin(phi)*cos(phi)"), "theta phi"),
+    (("sin(theta) + sin(phi) - a", "sin(theta - phi)"), "theta phi"),  # θ = φ or φ + π
+    (("a*sin(theta) + b*cos(phi) - c", "sin(theta + phi)"), "theta phi"),
     (("u*x + a", "u*y + b", "u*z + c", "x^2 + y^2 + z^2 - l^2"), "x y z u"),
 ]  # fmt: skip
 

@@ -10,6 +10,8 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.single_equation import parallel_angles
+from lagrange.algebra.closed_forms.unit_circle import TrigLetters
 from tests.support.found_solutions import ALPHA, POSITIVE, apart, near, predicted, values_of
 from tests.support.solution_counts import function, roots
 
@@ -124,3 +126,15 @@ def test_what_is_seen_at_once_and_what_is_left(text: str) -> None:
     zero, rest = found.branches
     assert [(r.lhs, r.rhs) for r in zero.relations] == [(u, 0)]
     assert rest.left == (e,) or sp.expand(rest.left[0] - e) == 0 or rest.left[0].has(sp.sin(u))
+
+
+def test_parallel_angles() -> None:
+    a, b, c = sp.symbols("a b c", real=True)
+    letters = TrigLetters([sp.cos(a), sp.cos(b), sp.cos(c)], (a, b, c))
+    for e, expected in {
+        3 * sp.sin(a) * sp.cos(b) - 3 * sp.cos(a) * sp.sin(b): (a, b, 1),
+        sp.cos(a) * sp.sin(c) + sp.sin(a) * sp.cos(c): (a, c, -1),
+        2 * sp.sin(a) * sp.cos(b) - sp.cos(a) * sp.sin(b): None,
+        sp.cos(a) * sp.cos(b) - sp.sin(a) * sp.sin(b): None,
+    }.items():
+        assert parallel_angles(letters.read(e), (a, b, c), letters) == expected
