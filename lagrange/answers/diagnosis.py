@@ -303,9 +303,18 @@ class _Search:
         # With other accelerations it may come from several equations, and its forces be those of this one by chance.
         same = {*self.slots.accelerations} & (self.equation.free_symbols ^ derived.free_symbols) == set()
         of_forces = [term for term in terms_of(derived) or () if group_of(term, self.system) is Group.FORCE]
-        if same and of_forces and differing == {Group.INERTIA, Group.VELOCITY}:
+        driven = self._is_driven or scale.has(sp.sin, sp.cos, sp.tan)
+        if same and of_forces and not driven and differing == {Group.INERTIA, Group.VELOCITY}:
             return Group.MOTION
         return differing.pop() if len(differing) == 1 else None
+
+    @cached_property
+    def _is_driven(self) -> bool:
+        """Whether something is moved in a given way: then terms without velocities come from T as well."""
+        configuration = self.system.configuration
+        vectors = [p.position for p in configuration.points] + [e for r in configuration.rotations for e in r.axes]
+        given = {t, *self.slots.prescribed}
+        return any(not c.free_symbols.isdisjoint(given) for v in vectors for c in v.fixed().components)
 
     @cached_property
     def _rates(self) -> tuple[sp.Symbol, ...]:

@@ -467,7 +467,10 @@ def _as_by_a_convention() -> frozenset[str]:
 
 def _candidate_with_parts(equations: Sequence[sp.Expr], attempt: _Attempt, reference: Reference) -> ReferenceCandidate:
     """The system of an attempt; if its parts are not known, as where forces of constraints are stated in the
-    coordinates of a choice, another one that has all their symbols."""
+    coordinates of a choice, and several contacts are rough, another one that has all their symbols.
+
+    Forces of constraints are compared singly otherwise, which tells more of one.
+    """
     own = attempt.candidate
     used = {base(s) for e in equations for s in e.free_symbols}
     moving = {*reference.scope.slots.coordinates, *(m for c in reference.candidates for m in c.multipliers)}
@@ -475,7 +478,9 @@ def _candidate_with_parts(equations: Sequence[sp.Expr], attempt: _Attempt, refer
         return own
     for c in reference.candidates:
         known = {*c.configuration.slots.coordinates, *c.multipliers}
-        if used & moving <= known and {*own.multipliers} <= known and c.models.mechanics is not None:
+        if not (used & moving <= known and {*own.multipliers} <= known):
+            continue
+        if c.models.mechanics is not None and len(c.models.mechanics.frictions) > 1:
             return c
     return own
 

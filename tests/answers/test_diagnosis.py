@@ -342,6 +342,14 @@ def test_a_wrong_kinetic_energy_beside_right_forces() -> None:
     assert found.diagnosis == IN_MOTION
 
 
+def test_a_given_motion_makes_terms_without_velocities() -> None:
+    """With the sine of the latitude for its cosine what looks like a force comes from T."""
+    wrong = "A*theta'' + C*(psi' + Omega*sin(lat)*cos(theta))*Omega*sin(lat)*sin(theta)"
+    wrong += " - A*Omega^2*sin(lat)^2*sin(theta)*cos(theta) = 0"
+    [found] = check_equations([Fragment.of(wrong)], reference_of("gyrocompass")).equations
+    assert "forces" not in found.diagnosis
+
+
 def test_a_change_into_a_term_that_vanishes_explains_nothing() -> None:
     """h'' = 0 follows, so that any term may be replaced by a multiple of it."""
     [found] = check_equations([Fragment.of("M*X'' + m*X'' + m*h'' = F + M*X''*cos(X)")], system("lifted")).equations

@@ -242,8 +242,9 @@ def _is_angle(a: sp.Symbol, m: Mechanics) -> bool:
     """Whether a parameter occurs in a sine or cosine."""
     places = [c for p in m.configuration.points for c in p.position.fixed().components]
     vectors = [c for f in m.configuration.loads for c in f.vector.fixed().components]
+    turning = [c for r in m.rotations for column in r.columns for c in column]
     return isinstance(a, Bounded) or any(
-        a in w.free_symbols for e in (*places, *vectors) for w in e.atoms(sp.sin, sp.cos, sp.tan)
+        a in w.free_symbols for e in (*places, *vectors, *turning) for w in e.atoms(sp.sin, sp.cos, sp.tan)
     )
 
 

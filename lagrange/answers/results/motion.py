@@ -268,8 +268,9 @@ def _falls_freely(equation: sp.Expr, at: ModelState, count: int) -> bool:
     """Whether an equation follows from the equations of motion alone where all multipliers, the first unknowns, are
     zero."""
     row, nothing = at.row(equation), [at.point.number(0)] * count
-    rows = [[*nothing, *derived[count:]] for derived in at.derived]
-    return row is not None and row in RowSpace(at.point.arithmetic, rows)
+    space = RowSpace(at.point.arithmetic, [[*nothing, *derived[count:]] for derived in at.derived])
+    impossible = [*[at.point.number(0)] * len(at.unknowns), at.point.number(1)]  # chosen coordinates keep a constraint
+    return row is not None and row in space and impossible not in space
 
 
 def explained_in_any_state(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:

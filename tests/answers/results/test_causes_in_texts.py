@@ -27,7 +27,7 @@ CAUSES = [
     ("conical-pendulum", "T sinθ = m l φ'^2, T cosθ = m g, so tanθ = l φ'^2/g", "a factor sin(theta) is missing"),
     ("conical-pendulum", "tan(theta) = l*phi'^2/g", "a factor sin(theta) is missing"),
     ("inverted-pendulum-springs", "θ = 0, θ = π, cosθ = W l/(2 c b²)", "an energy without its 1/2"),
-    ("thrown-stone", "y = x*tan(alpha) - g*x^2/(2*v^2)", "cos(alpha)^2 too many in the term g*x^2/(2*v^2)"),
+    ("thrown-stone", "y = x*tan(alpha) - g*x^2/(2*v^2)", "no division by cos(alpha)^2 in the term"),
     ("escape-from-a-planet", "v = sqrt(K/R)", "a factor sqrt(2) is missing"),
     ("charge-in-crossed-fields", "y = m E/(q B^2)", "the middle of the oscillation"),
     ("coupled-pendulums", "omega_1 = sqrt(g/l), omega_2 = sqrt(g/l + c/m)", "the other coordinates held fast"),

@@ -68,6 +68,7 @@ OF_REACTIONS: list[Row] = [
     ("rod-cut-loose", "ask", {"falling": "-g"}, FREE),
     ("rod-cut-loose", "ask", {"turning": "0"}, FREE),
     ("rear-wheel-drive", "ask", {"greatest": "mu*m*g"}, "N_A is taken as the whole weight"),
+    ("released-pendulum", "ask", {"start": "-g/l*cos(alpha)"}, "alpha measured from the perpendicular direction"),
 ]
 
 
