@@ -30,7 +30,7 @@ _ROOT = re.compile(r"([0-9]*)\s*(?:\\sqrt\{([^{}]*)\}|\*?sqrt\(([^()]*)\))")
 _NUMBERED = re.compile(r"[a-z]_?\d")
 """Vectors whose names are no words: n1, e_3."""
 _WORDS = frozenset({"a", "A", "I"})
-_MEASURED = re.compile(r"\b(?:amplitude|depth|distance|height|length|radius|thickness|width)s? $")
+_MEASURES = frozenset({"amplitude", "depth", "distance", "height", "length", "radius", "thickness", "width"})
 """What a letter follows that is else a word: the distance a."""
 
 
@@ -147,7 +147,7 @@ def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
             yield math(units[name])
             end = match.end()
             continue
-        if name not in symbols or (name in _WORDS and not _MEASURED.search(text[: match.start()])):
+        if name not in symbols or (name in _WORDS and not _MEASURES & {*text[: match.start()].split()[-1:]}):
             continue
         yield text[end : match.start()]
         yield math(sp.Symbol(match[1], real=True) if match[1] != name else symbols[name])
