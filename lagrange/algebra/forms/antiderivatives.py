@@ -190,7 +190,8 @@ def antiderivative(e: sp.Expr, v: sp.Symbol, depth: int = INTEGRATION_DEPTH) -> 
         if result is None and 0 < len(expanded.atoms(Unspecified)) <= MOST_UNDEFINED:
             result = _through_undefined(expanded, v, depth)
         if result is None and 0 < _repeated(expanded, _HYPERBOLIC) <= LARGEST_INTEGRAND:
-            result = antiderivative(multiplied_out(expanded.rewrite(sp.exp)), v, depth - 1)
+            plain = expanded.replace(lambda f: isinstance(f, _HYPERBOLIC), lambda f: f.rewrite(sp.exp, deep=False))
+            result = antiderivative(multiplied_out(plain), v, depth - 1)
     return result
 
 

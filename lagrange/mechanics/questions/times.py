@@ -204,7 +204,7 @@ def _first_of_wave(a: sp.Expr, b: sp.Expr, c: sp.Expr, w: sp.Expr) -> list[TimeR
 
 def _of_exponentials(e: sp.Expr) -> list[TimeRoot] | None:
     """A polynomial in E = e^{λt} and 1/E."""
-    e = sp.expand(e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh), lambda f: f.rewrite(sp.exp)))
+    e = sp.expand(e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh), lambda f: f.rewrite(sp.exp, deep=False)))
     exponents = {sp.expand(f.args[0]) for f in e.atoms(sp.exp) if t in f.free_symbols}
     rates = {x.diff(t) for x in exponents}
     if any(x != sp.expand(r * t) for x in exponents for r in [x.diff(t)]) or not rates:
@@ -262,7 +262,7 @@ def limit_in_time(e: sp.Expr) -> sp.Expr | None:
     """
     if count_operations(e) > LONGEST_EQUATION:
         return None
-    e = e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh | sp.tanh), lambda f: f.rewrite(sp.exp))
+    e = e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh | sp.tanh), lambda f: f.rewrite(sp.exp, deep=False))
     waves = [f for f in e.atoms(sp.exp) if t in f.free_symbols]
     letters: dict[sp.Expr, sp.Expr] = {}
     for f in waves:

@@ -102,3 +102,12 @@ def test_functions_within_one_another_are_not_doubled(function):
         assert antiderivative(e, x) is None
     alone = antiderivative(function(2 * x), x)
     assert abs((alone.diff(x) - function(2 * x)).subs(x, 0.3).evalf()) < 1e-12
+
+
+def test_waves_beside_hyperbolic_functions_stay_real():
+    e = sp.sinh(a * x) ** 2 * sp.cosh(b * x) * sin(theta)
+    found = antiderivative(e, x)
+    assert found is not None
+    assert not found.has(sp.I)
+    values = {a: 0.7, b: 1.3, theta: 0.4, x: 0.3}
+    assert abs((found.diff(x) - e).subs(values).evalf()) < 1e-12

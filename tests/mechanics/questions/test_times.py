@@ -51,6 +51,15 @@ def test_what_has_no_closed_form_is_left_open(function: sp.Expr) -> None:
     assert times(function) is None
 
 
+def test_a_sine_in_a_rate_stays_a_sine() -> None:
+    """SymPy rewrites what is within sinh and cosh as well, sin(alpha) with the imaginary unit."""
+    rate = sp.sqrt(a * sp.sin(b))
+    [root] = times(sp.cosh(rate * t) - 3) or ()
+    assert not root.value.has(sp.I)
+    assert float(root.value.subs(NUMBERS)) == pytest.approx(float((sp.acosh(3) / rate).subs(NUMBERS)))
+    assert limit_in_time(sp.tanh(w * t) * sp.sin(b)) == sp.sin(b)
+
+
 def test_a_time_as_a_function_of_a_coordinate_is_not_negative() -> None:
     y = sp.Symbol("y", real=True)
     [root] = times(a * t**2 - y, positive=False) or ()
