@@ -84,10 +84,10 @@ def equations_in_file(source: Source, ending: str, *, conditions: bool = False) 
     """
     fragment = Fragment(source.text, Span(source, 0, len(source.text)), 0)
     _check_size(fragment)
-    if conditions and is_inequality(fragment):
-        return tuple(_conditions(fragment))
     if (decimals := with_decimal_points(source.text)) != source.text:
         fragment = Fragment(decimals, fragment.whole, 0)
+    if conditions and is_inequality(fragment):
+        return tuple(_conditions(fragment))
     if macros := macros_of(source.text):
         return tuple(with_macros(e, macros) for e in _found(fragment, source, ending))
     return tuple(_found(fragment, source, ending))

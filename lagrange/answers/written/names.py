@@ -419,8 +419,8 @@ _EXTREME_INDEX = re.compile(r"_\s*(?:\{\s*)?(?:\\(?:text|mathrm)\s*\{\s*)?\\?(ma
 
 
 def spelled_out(text: str) -> str:
-    """θ₁ as theta_1, and P_{\\max} as P_max."""
-    text = _EXTREME_INDEX.sub(r"_\1", text)
+    """θ₁ as theta_1, and P_{\\max} as P_max, \\theta_{3} as \\theta_3."""
+    text = re.sub(r"_\{(\w{1,3})\}", r"_\1", _EXTREME_INDEX.sub(r"_\1", text))
     text = re.sub(f"[{''.join(SUBSCRIPTS)}]+", lambda m: "_" + "".join(SUBSCRIPTS[c] for c in m[0]), text)
     return "".join(f" {GREEK[c]}" if c in GREEK else c for c in text)
 

@@ -36,6 +36,7 @@ from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices
 from lagrange.answers.written.notation.plain import cleaned, is_rate
 from lagrange.answers.written.notation.programs import as_equation
+from lagrange.answers.written.notation.rare import integrals_over_time
 from lagrange.answers.written.reading import too_long, without_braces
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import ABOUT, GREEK
@@ -116,6 +117,16 @@ def finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
     made = draft.finished(latex=latex and draft.text != draft.outer.text)
     beside = getattr(fragment, "beside", "")
     return replace(made, beside=beside) if isinstance(made, OneEquation) else made
+
+
+def with_integrals(answer: Sequence[Fragment], coordinates: Sequence[str]) -> list[Fragment]:
+    """The answer with coordinates for integrals over time of their rates."""
+    made = []
+    for f, text in zip(answer, integrals_over_time([f.text for f in answer], coordinates), strict=True):
+        draft = Draft(f)
+        draft.apply([(0, len(f.text), text)] if text != f.text else [])
+        made.append(f if text == f.text else finished(draft, f, is_latex(f)))
+    return made
 
 
 # Numbering

@@ -45,6 +45,7 @@ from lagrange.answers.written.one_line import (
     in_place_of,
     is_condition,
     lines_of,
+    with_integrals,
     without_prose,
     words_known,
 )
@@ -143,6 +144,7 @@ def understood(
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving, naming)
     answer = with_primed_names(answer, reference.parameters)
+    answer = with_integrals(answer, sorted(reference.coordinates))
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)

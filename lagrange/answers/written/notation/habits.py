@@ -20,13 +20,13 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
 _CONST = re.compile(r"(?<=\{)(\s*[Kk]onst|\s*const|\s*[Cc]st)\.\s*\}")
-_UPRIGHT_D = re.compile(r"\\(?:mathrm|text|rm|mathsf)\s+(d)(?=\s*[A-Za-z\\])")
+_UPRIGHT_D = re.compile(r"\\(?:mathrm|text|rm|mathsf)\s+(d)(?=\s*[A-Za-z\\}^])")
 _SUM = r"\\sum(?![A-Za-z])(?:\\limits|_(?:\{[^{}]{0,12}\}|\w))?[^=:$\n&;,]{1,40}?"
+_ARROW = r"\\(?:Rightarrow|Longrightarrow|implies|quad|qquad|to|rightarrow)(?![A-Za-z])"
 _LAW_BEFORE = re.compile(
-    rf"{_SUM}&?\s*(?:=|\\stackrel\{{!\}}\{{=\}})\s*&?\s*[^=:$\n&;,]{{1,24}}?"
-    r"(?::|\\(?:Rightarrow|Longrightarrow|implies|quad|qquad|to|rightarrow)(?![A-Za-z]))(?=[^$\n]*?=)"
+    rf"{_SUM}&?\s*(?:=|\\stackrel\{{!\}}\{{=\}})\s*&?\s*[^=:$\n&;,]{{1,24}}?&?\s*(?::|{_ARROW})(?=[^$\n]*?=)"
 )
-_LAW_IN_CHAIN = re.compile(rf"{_SUM}&?\s*=(?=[^=$\n;:]{{1,200}}=)")
+_LAW_IN_CHAIN = re.compile(rf"{_SUM}&?\s*=(?=[^=$\n;:]{{1,200}}=)(?![^=]*{_ARROW})")
 _OR = re.compile(r"\\(?:lor|vee)(?![A-Za-z])")
 _OR_IN_OTHER_WORDS = re.compile(r"(?<=[\s,{])(?:oder|ou|bzw\.)(?=[\s}])")
 _OR_SIGN = re.compile(r"\s?∨\s?")

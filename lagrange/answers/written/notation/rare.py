@@ -6,6 +6,7 @@ m1, θ1                              m_1, theta_1, where these are declared and 
 ∛(c/b)                              (c/b)^(1/3)
 arcosh(x), acosh(x), \cosh^{-1} x   log(x + sqrt(x^2 - 1)), and so for the other inverse hyperbolic functions
 v_\infty, v_{\max}                  v_{inf}, v_{max}
+∫ i dt, with i = q'                 q
 ω_+ = ..., \omega_- = ...           ω_plus = ..., \omega_{minus} = ...
 
 The time derivative as an operator D: `D^2 x`, `D x`, `(D phi)^2`, `D(m r^2 D phi)`, `(m D^2 + b D + c) x`.
@@ -27,7 +28,7 @@ max(T) = ...                       T_max = ...
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -64,6 +65,32 @@ _WRITTEN_OUT = {
     "cosh": "log(({x}) + sqrt(({x})^2 - 1))",
     "tanh": "(log((1 + ({x}))/(1 - ({x})))/2)",
 }
+
+
+_INTEGRAL = re.compile(
+    r"(?:∫|\\int(?![A-Za-z_^])(?:\\limits)?)\s*(?P<rate>\\dot\s*(?:\{\s*\\?[A-Za-z]+\s*\}|\\?[A-Za-z]+)|[A-Za-z](?:_\w{1,4})?['\u0307]?)\s*"
+    r"(?:\\[,;:! ]|~|\s)*(?:d|\\mathrm\s*\{\s*d\s*\})\s?t(?![A-Za-z])"
+)
+_IS_RATE_OF = (
+    r"(?<![A-Za-z]){name}\s*=\s*(?:\\dot\s*\{{?\s*|d\s?|\\[dt]?frac\s*\{{\s*d\s?)?"
+    r"(?P<of>[A-Za-z]+)(?:['\u0307]|\s*\}}?\s*(?:/|\{{)?\s*d?t?)"
+)
+
+
+def integrals_over_time(texts: Sequence[str], coordinates: Sequence[str]) -> list[str]:
+    """`∫ i dt` as q, where i is the rate of the coordinate q: one says so, or there is no other."""
+    whole = "\n".join(texts)
+
+    def integrated(match: re.Match[str]) -> str:
+        rate = re.sub(r"\\dot|[{}\\\s'\u0307]", "", match["rate"])
+        if rate in coordinates:
+            return f" {rate} " if rate != match["rate"] else match[0]
+        stated = re.search(_IS_RATE_OF.format(name=re.escape(rate)), whole)
+        if stated is not None and stated["of"] in coordinates:
+            return f" {stated['of']} "
+        return f" {coordinates[0]} " if len(coordinates) == 1 and stated is None else match[0]
+
+    return [_INTEGRAL.sub(integrated, text) if "∫" in text or "\\int" in text else text for text in texts]
 
 
 def signs_as_indices(draft: Draft) -> None:

@@ -16,6 +16,7 @@ from lagrange.answers.written.notation.habits import in_usual_signs
         (r"$\sum F_A = 0:\ m_1 g - c_1 x_1 = 0$", r"$ \ m_1 g - c_1 x_1 = 0$"),
         (r"\sum_i F_{x} = -k x = m\ddot x", r" -k x = m\ddot x"),
         (r"\sum M_O = 0 \Rightarrow N l = W a", r" N l = W a"),
+        (r"\sum F_x=m\ddot x &\implies m\ddot x=mg - N", r" m\ddot x=mg - N"),
         (r"\sum F = m\ddot x", r"\sum F = m\ddot x"),
         (r"\theta = 0 \lor \theta = \pi", r"\theta = 0 \text{ or } \theta = \pi"),
         ("θ = 0 ∨ θ = π", "θ = 0 or θ = π"),

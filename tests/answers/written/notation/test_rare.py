@@ -11,6 +11,7 @@ import pytest
 
 from lagrange.answers.written.notation.rare import (
     extremes,
+    integrals_over_time,
     name_of_extreme,
     ratios_of,
     signs_as_indices,
@@ -94,3 +95,17 @@ def test_the_greatest_of_several_values() -> None:
     draft.apply(extremes(draft.text))
     assert draft.text == "(((a)+( b)-abs((a)-( b)))/2)"
     assert name_of_extreme("max(T) = 3 m g") == "T_max = 3 m g"
+
+
+@pytest.mark.parametrize(
+    ("texts", "made"),
+    [
+        (["L di/dt + 1/C ∫ i dt = 0", "i = q'"], ["L di/dt + 1/C  q  = 0", "i = q'"]),
+        ([r"L\frac{di}{dt} + \frac1C\int i\,\mathrm{d}t = 0"], [r"L\frac{di}{dt} + \frac1C q  = 0"]),
+        (["x = ∫ x' dt"], ["x =  x "]),
+        (["∫ v dt = a", "v = s'"], ["∫ v dt = a", "v = s'"]),
+    ],
+)
+def test_integrals_over_time(texts: list[str], made: list[str]) -> None:
+    coordinates = ["q"] if any("i" in text for text in texts) else ["x", "y"]
+    assert integrals_over_time(texts, coordinates) == made
