@@ -242,12 +242,10 @@ class _BranchSearch:
             if parts is None:
                 state = replace(state, stuck=(*state.stuck, changed))
                 continue
-            e = self._without_squares(parts[0])
-            if e == 0:
+            if (e := self._without_squares(parts[0])) == 0:
                 continue
             if not self.letters.unknowns_in(e):
-                zero = is_zero(self.letters.write(e))
-                if zero:
+                if zero := is_zero(self.letters.write(e)):
                     continue
                 if zero is None:
                     state = replace(state, stuck=(*state.stuck, e))

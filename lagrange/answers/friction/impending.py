@@ -197,7 +197,7 @@ def one_a_line(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fra
 
 def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:
     """T = m g for an unknown force that an answer does not mention: it may state the limit alone."""
-    if not all(isinstance(f, GivenEquation) and f.reading.error is None for f in alternative):
+    if any(isinstance(f, GivenEquation) and f.reading.error is not None for f in alternative):
         return []  # what is not understood may be about that force
     words = {w for f in alternative for w in re.findall(r"[^\W\d]\w*", f.text)}
     # P_min is another name of P
