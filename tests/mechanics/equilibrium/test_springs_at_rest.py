@@ -77,4 +77,4 @@ def test_what_is_written(problem: Read) -> None:
         p.exp == sp.S.Half and p.base.is_Add for v in values for p in sp.factor(v).atoms(sp.Pow) if v.has(sp.Abs)
     )
     page = " ".join(terminal.text(found.derivation, found.notation, 100).split())
-    assert "tie pulls its ends together with the force" in page
+    assert "pulls its ends together with the force" in page

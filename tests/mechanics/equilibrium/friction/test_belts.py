@@ -144,7 +144,6 @@ def test_what_is_written(problem: Read) -> None:
         (", slack: P", "", "missing-key"),
         ("tight: T", "tight: Z", "unknown-symbol"),
         ("belt: mu", "belt: y", "coordinate-here"),
-        ("angle: beta", "angle: T", "force-here"),
         ("belt: mu", "belt: t", "time-here"),
     ],
 )
