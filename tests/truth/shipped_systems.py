@@ -407,7 +407,7 @@ def skewed_disc() -> tuple[Route, ...]:
 def gyrocompass() -> tuple[Route, ...]:
     """Euler's law for the rotor, its axes carried around by the earth."""
     theta, psi = moving("theta psi")
-    a, c, turn, lat = constants("A C Omega lambda")
+    a, c, turn, lat = constants("A C Omega lat")
     east = sp.Matrix([-sin(turn * t), cos(turn * t), 0])
     up = sp.Matrix([cos(lat) * cos(turn * t), cos(lat) * sin(turn * t), sin(lat)])
     north = up.cross(east)

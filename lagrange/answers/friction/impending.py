@@ -109,7 +109,7 @@ def _positions(forces: ForcesPutIn, motion: ImpendingMotion, reference: Referenc
         if verdict is Verdict.WRONG:  # they hold at the equilibrium, and elsewhere
             stated = [*forces.positions]
     place = [Fragment.of(f"{q} = {text(v)}") for q, v in motion.held.items()]
-    return [*stated, *place, *_forces_beside(stated, motion)] if stated else []
+    return [*stated, *place, *_forces_beside(stated, motion, reference)] if stated else []
 
 
 def _judged(
@@ -195,9 +195,9 @@ def one_a_line(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fra
     return [(*about, f) for f in judged if all(f is not other for other in about)]
 
 
-def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:
+def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion, reference: Reference) -> list[Fragment]:
     """T = m g for an unknown force that an answer does not mention: it may state the limit alone."""
-    if any(isinstance(f, GivenEquation) and f.reading.error is not None for f in alternative):
+    if any(read_answer(f, reference.scope).error is not None for f in alternative):
         return []  # what is not understood may be about that force
     words = {w for f in alternative for w in re.findall(r"[^\W\d]\w*", f.text)}
     # P_min is another name of P
