@@ -18,7 +18,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.diagnostics import NotCoveredError
@@ -63,6 +63,8 @@ def _at_zero(resting: Equilibrium) -> Iterator[Branch]:
     if resting.configuration.rows or len(coordinates) > MOST_TRIVIAL_COORDINATES:
         return
     angles = {q for q in coordinates if q in letters.angles and letters.angles[q].measure == q}
+    # The conditions were multiplied by lengths of springs, which may vanish; where they do, forces have no value.
+    divisors = {p.base for q in resting.work.forces for p in q.atoms(sp.Pow) if p.exp.is_negative}
     for place in product(*(((ZERO, sp.pi) if q in angles else (ZERO,)) for q in coordinates)):
         point: dict[sp.Symbol, sp.Expr] = {}
         for q, value in zip(coordinates, place, strict=True):
@@ -70,10 +72,11 @@ def _at_zero(resting: Equilibrium) -> Iterator[Branch]:
                 point |= {letters.angles[q].cosine: sp.cos(value), letters.angles[q].sine: ZERO}
             point |= {q: value}
         try:
+            regular = all(is_zero(resting.solution.at(point, d)) is False for d in divisors)
             holds = is_balanced(resting, lambda e, p=point: resting.solution.at(p, e))  # type: ignore[misc]
         except (NotAlgebraicError, DivisionByZeroError):
             continue
-        if holds:
+        if regular and holds:
             relations = tuple(Relation(q, value) for q, value in zip(coordinates, place, strict=True))
             yield Branch(relations, (), (point,), point)
 
