@@ -40,7 +40,7 @@ demo: $(VENV)/python
 	@echo "                                      what is wrong with these equations?"
 	@echo "README.md goes on from there."
 
-# The slow tests that `make test` runs: a twentieth of them, another one every day; `make test PART=3` says which.
+# The slow tests that `make test` runs: a fortieth of them, another one every day; `make test PART=3` says which.
 PART ?= today
 PYTEST = $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
 

@@ -8,7 +8,7 @@ A test belongs to one of four tiers (`support/tiers.py`):
     slow       what else takes long, as measured
 
 `pytest` runs what it is asked to run. `make test` runs the first tier, one short test of each slow function, and a
-twentieth of the others, another one every day (`--part today`); `make test-all` runs everything.
+fortieth of the others, another one every day (`--part today`); `make test-all` runs everything.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from tests.support.grouping import ByProblem, longest_first, part_of
 from tests.support.tiers import renew, representatives, tier_of
 
 HERE = Path(__file__).parent
-PARTS = 20
+PARTS = 40
 PROCESSOR = "processor seconds"
 
 

@@ -69,6 +69,9 @@ SPREAD_ON_SURFACE = 1
 # Triangular order (`triangular`). Draws at which a block is tried. A root exists at half of the points, and is the
 # value of a positive symbol at half of these: 100 draws all fail with (3/4)^100, and with two such roots (15/16)^100.
 BLOCK_TRIALS = 100
+# Points at which all trials of a block with symbols of its own failed, before the block counts as unsolvable: with two
+# roots of positive symbols (15/16)^1200. A block without such symbols has one trial at each point, and all `DRAWS`.
+MOST_FAILED_BLOCKS = 12
 # Blocks tried in one search [73], constraints solved together [4], choices of unknowns for them. Blocks of more than
 # four are not looked for among the constraints; all that remain are still tried at once [8].
 MOST_TRIED_BLOCKS = 400

@@ -27,6 +27,7 @@ from lagrange.algebra.exact.limits import (
     LARGEST_BLOCK,
     LONGEST_RULE,
     MOST_COMBINATIONS,
+    MOST_FAILED_BLOCKS,
     MOST_SHARED_ROOTS,
     MOST_TRIED_BLOCKS,
 )
@@ -199,12 +200,15 @@ def _tried(order: SolutionOrder, fresh: Fresh) -> tuple[int, SolvedBlock | None]
     """How many roots drawing a point takes, and the block at which it always fails, if one does."""
     # The block at which the luckiest draw failed is to blame: those before it have been solved.
     graph = Graph(order.rules)
-    furthest = 0
+    furthest = redrawn = 0
     for _ in range(DRAWS):
         try:
             return order.solved(fresh(graph))[1], None
         except UnsolvedBlockError as failure:
             furthest = max(furthest, failure.block)
+            redrawn += bool(order.own[failure.block])
+        if redrawn == MOST_FAILED_BLOCKS:
+            break
     return 0, order.blocks[furthest]
 
 

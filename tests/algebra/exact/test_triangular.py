@@ -7,6 +7,8 @@ from itertools import pairwise
 import pytest
 import sympy as sp
 
+from lagrange.algebra.exact.points import Point
+from lagrange.algebra.exact.solved_blocks import SolvedBlock
 from lagrange.algebra.exact.zero_test import Fields, Surface, has_real_point
 from tests.algebra.exact.test_sampler import (
     alpha,
@@ -79,3 +81,19 @@ def test_many_lengths_of_the_same_coordinates_have_real_points(number: int, exac
     assert all(surface.is_zero(s**2 - (x - n) ** 2 - (y + n**2) ** 2 - l**2) for n, s in enumerate(lengths))
     assert surface.rank([[sp.diff(f, q) for q in (x, y, *lengths)] for f in legs]) == number
     assert surface.contradictory() == ()
+
+
+def test_a_block_that_is_never_solved_is_given_up_early(monkeypatch: pytest.MonkeyPatch) -> None:
+    """x = R + a and x = 0 for positive R and a: each draw already tries R = −a a hundred times."""
+    tries = 0
+    solve = SolvedBlock.solve
+
+    def counted(block: SolvedBlock, point: Point) -> int:
+        nonlocal tries
+        tries += 1
+        return solve(block, point)
+
+    monkeypatch.setattr(SolvedBlock, "solve", counted)
+    a, r = sp.symbols("a R", positive=True)
+    assert not has_real_point(Surface([x - r - a, x], [x, y]))
+    assert 1000 < tries < 10_000
