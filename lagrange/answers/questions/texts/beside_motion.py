@@ -48,8 +48,22 @@ def with_results_beside(answer: Sequence[Fragment], judged: Judgement, solution:
         return judged
     spans = [d.span for d in judged.messages if d.span and (d.code == "not-judged" or d.level is Severity.ERROR)]
     lines = [f for f in answer if is_inequality(f) or any(_overlap(f.span(0, len(f.text)), s) for s in spans)]
+    parameters = {p.symbol for p in solution.problem.parameters}
+    if any(a.question.quantity in parameters for a in solution.asked):
+        lines += _conditions_beside(answer)
     found = [v for v in _verdicts(lines, answer, solution) if v.verdict in _SETTLED] if lines else []
     return replace(judged, others=(*judged.others, *found)) if found else judged
+
+
+def _conditions_beside(answer: Sequence[Fragment]) -> Iterator[Fragment]:
+    """The inequalities of a text that are in none of its equations: `x'' = ...; mu >= tan(alpha)/3`."""
+    taken = [f.span(0, len(f.text)) for f in answer]
+    for source in dict.fromkeys(f.whole.source for f in answer):
+        for piece in re.finditer(r"[^\s;][^;\n]*", source.text):
+            span = Span(source, *piece.span())
+            stated = Fragment(piece[0].rstrip(), span, piece.start())
+            if is_inequality(stated) and not any(_overlap(span, t) for t in taken):
+                yield stated
 
 
 def _overlap(a: Span, b: Span) -> bool:

@@ -8,6 +8,7 @@ r"""Habits of writing that change no mathematics, put into usual signs before a 
     \sin\theta = \frac{M}{m} \quad (M < m)         \sin\theta = \frac{M}{m}
     cos θ = 2/3 (θ ≈ 48.2°)    m g 2R              cos θ = 2/3    m g*2R
     \frac{\mathrm dU}{\mathrm dr}                  \frac{dU}{dr}
+    x'' = a, rolls if mu >= b                      x'' = a; mu >= b
 
 Whatever is omitted becomes spaces, so that every place stays where it is; an `or` takes more room than its sign.
 """
@@ -39,6 +40,14 @@ _CONDITION = re.compile(
 """A condition in parentheses at the end of an equation in LaTeX, which has no rate: friction depends on its sign."""
 
 
+_CLAIM = re.compile(
+    r"(?:[,;.]\s*|(?<=\s)|^)(?:\\text\s?\{\s*)?(?:and\s+)?(?:it|they|(?:the|a)\s+[a-z]{1,20})?\s*\b"
+    r"(?:rolls?|(?:does|do|will)\s+not\s+(?:slip|slide|skid)|no\s+slip(?:ping)?)\b[a-z ]{0,30}?\s"
+    r"(?:if\s+and\s+only\s+if|only\s+if|if|iff|when|as\s+long\s+as|provided(?:\s+that)?|requires)\s*\}?\s+"
+    rf"(?=[^;,\n]{{0,80}}{_SIGN})",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""The words before a condition that is a result: `rolls if mu >= tan(alpha)/3`."""
 _ABOUT_AS_WELL = re.compile(
     r"(?<=[\w)}°²$])\s+\((?:[^()=<>≤≥$]{0,24}?)(?:≈|≃|\\approx(?![A-Za-z])|\bapprox\.?|\bca\.|\bi\.\s?e\.)"
     r"\s*[-+−]?[0-9][^()=<>$]{0,24}\)"
@@ -62,9 +71,16 @@ def in_usual_signs(text: str) -> str:
         text = _OR.sub(r"\\text{ or }", text)
         text = _CONDITION.sub(lambda m: m[0] if "dot" in m[0] or "'" in m[0] else _blank(m), text)
     text = _OR_IN_OTHER_WORDS.sub("or", text)
+    text = _CLAIM.sub(_semicolon, text)
     text = _ABOUT_AS_WELL.sub(_blank, text)
     text = _NUMBER_AMONG_LETTERS.sub(lambda m: m[0] if m["word"] in _FUNCTIONS else f"{m['word']}*", text)
     return _OR_SIGN.sub(r" \\text{ or } " if "\\" in text else " or ", text)
+
+
+def _semicolon(match: re.Match[str]) -> str:
+    """The room of the match, which begins a new statement where it is not the first of its line."""
+    first = match.start() == 0 or match.string[match.start() - 1] == "\n"
+    return " " * len(match[0]) if first else ";".ljust(len(match[0]))
 
 
 def _blank(match: re.Match[str]) -> str:

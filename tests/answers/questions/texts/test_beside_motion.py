@@ -32,6 +32,20 @@ def test_values_that_are_asked_for(line: str, verdict: str) -> None:
     assert graded("leaving-a-sphere", SPHERE + line + "\n").verdict.value == verdict
 
 
+@pytest.mark.parametrize(
+    ("condition", "verdict"),
+    [
+        (", rolls if mu_s >= tan(alpha)/3", "equivalent"),
+        (", rolls if mu_s >= tan(alpha)/2", "wrong"),
+        ("\nIt does not slip as long as mu_s >= tan(alpha)/2", "wrong"),
+        ("\nmu_s >= tan(alpha)/2", "wrong"),
+        ("\nfor m > 0", "equivalent"),
+    ],
+)
+def test_a_limit_of_what_is_asked_for_may_be_an_inequality(condition: str, verdict: str) -> None:
+    assert graded("rolling-without-slip", f"x'' = 2/3*g*sin(alpha){condition}\n").verdict.value == verdict
+
+
 def test_the_question_that_a_line_answers_is_named() -> None:
     outcome = graded("leaving-a-sphere", SPHERE + "cos(theta) = 2/3\n")
     assert [e.remarks for a in outcome.others for e in a.equations] == [("it is taken as the answer to `leaves`",)]

@@ -27,6 +27,10 @@ from lagrange.answers.written.notation.habits import in_usual_signs
         ("x 2 + x 3 = sin 2x", "x 2 + x 3 = sin 2x"),
         (r"m\ddot x = -\frac{\mathrm dU}{\mathrm dx}", r"m\ddot x = -\frac{ dU}{ dx}"),
         (r"x = a (b + c)", r"x = a (b + c)"),
+        ("x'' = a, rolls if mu >= b", "x'' = a; mu >= b"),
+        ("The disc does not slip as long as mu >= b", "mu >= b"),
+        ("x'' = a, slides if mu < b", "x'' = a, slides if mu < b"),  # the opposite is the condition of rest
+        ("rolls if x' = R theta'", "rolls if x' = R theta'"),
     ],
 )
 def test_habits(written: str, usual: str) -> None:
