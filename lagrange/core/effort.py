@@ -156,6 +156,17 @@ def allowed_for_a_search(units: float) -> Iterator[Allowance]:
                 outer.left -= allowance.units - allowance.left
 
 
+def within(units: float, work: Callable[[], T]) -> T | None:
+    """The result of one of many searches; None if it takes more than so many units. `allowed_for_a_search` counts."""
+    with allowed_for_a_search(units) as allowance:
+        try:
+            return work()
+        except GivenUpError:
+            if allowance.left >= 0:
+                raise  # the time is over, and not this allowance used up
+            return None
+
+
 @contextmanager
 def unlimited() -> Iterator[None]:
     """Lifts all allowances within the block, for users who would rather wait."""

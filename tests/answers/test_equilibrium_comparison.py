@@ -48,7 +48,7 @@ from tests.support.statics_texts import (
             [
                 "",
                 "the conditions of equilibrium do not require it; these are the equilibria for the force `v` twice as "
-                "large, or acting at twice the distance",
+                "large, or acting at twice the distance, or for the force `w` acting at half the distance",
             ],
         ),
         (BEAD, ["theta = 0", "theta = pi"], ["", ""]),

@@ -15,6 +15,7 @@ from lagrange.answers.equations import Verdict
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.submissions import equations_in_file
 from lagrange.answers.written.names import printed_names
+from lagrange.answers.written.notation.latex import rewritten_latex
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.core.symbols import differential, t, variation
 from lagrange.core.vectors import Vector
@@ -110,8 +111,11 @@ def test_positions_forces_and_differentials_are_what_they_are_called(solved: Rep
 
 
 def in_latex(code: str, result: Report) -> EquationRead:
-    whole = Fragment.of(f"{code} = 0")
-    return read_equation(piece(whole, 0, len(whole.text)), _scope(result), latex=True)
+    whole, scope = Fragment.of(f"{code} = 0"), _scope(result)
+    fragment = piece(whole, 0, len(whole.text))
+    if any(re.search(rf"{re.escape(f)}'", code) for f in scope.functions):  # f' of one argument, as answers are read
+        fragment = rewritten_latex(fragment, scope)
+    return read_equation(fragment, scope, latex=True)
 
 
 def differs(side: Mathematics, result: Report) -> str:

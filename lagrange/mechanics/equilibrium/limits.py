@@ -78,6 +78,9 @@ MOST_ROUGH_CONTACTS = 6
 # Units of work (`core.effort`) for friction at rest [750]. Of a wedge with three rough faces only impending motion is
 # found.
 UNITS_OF_REST = 45_000
+# Units for the lowest terms of V in one branch where V'' vanishes in some directions, a second or two; the tests of it
+# need 611 at most.
+UNITS_OF_LOWEST_FORM = 20_000
 
 # Search for lost equilibria: unknowns, multipliers among them; places from which the iteration starts for each choice
 # of parameters; operations of all of them together, about a tenth of a second; angles that may be turned, each by

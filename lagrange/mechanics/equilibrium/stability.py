@@ -42,6 +42,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, different_from_ze
 from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
+from lagrange.core.effort import within
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -59,7 +60,7 @@ from lagrange.mechanics.equilibrium.degenerate import (
     sign_of_form,
 )
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
+from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS, UNITS_OF_LOWEST_FORM
 from lagrange.mechanics.equilibrium.loads import for_loads
 
 
@@ -218,7 +219,7 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
     if judged.verdict is StabilityVerdict.CONDITIONAL and len(matrix) == 1 and not judged.free:
         return _with_limit(judged, matrix[0][0], b, e)
     if judged.verdict is StabilityVerdict.UNDECIDED and not judged.unstable:
-        lowest = _by_lowest_form(b, matrix, e)
+        lowest = within(UNITS_OF_LOWEST_FORM, lambda: _by_lowest_form(b, matrix, e))
         if lowest is not None:
             return replace(lowest, free=judged.free, minors=lowest.minors or judged.minors)
         if _rises(b, matrix, e):

@@ -482,7 +482,7 @@ def of_argument(text: str, scope: Scope) -> Iterator[Edit]:
         (argument,) = function.arguments
         prime = r"(?:'|′|’|\^\s*\{?\s*(?:\\prime\s*){1,3}\}?)"
         inside = rf"\(\s*{re.escape(argument)}\s*\)"
-        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?P<primes>{prime}{{1,3}})\s*{inside}"
+        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?P<primes>{prime}{{1,3}})(?:\s*{inside})?"
         for match in re.finditer(pattern, text):
             order = len(re.findall(r"'|′|’|\\prime", match["primes"]))
             made = name

@@ -57,7 +57,9 @@ def test_brackets_after_a_derivative_are_a_factor(written: str) -> None:
     assert sp.expand(read_as_written(Fragment.of(written), scope).components[0] - plain) == 0
 
 
-@pytest.mark.parametrize("written", [r"\ddot x = \frac{d^2 f}{dx^2}", r"\ddot x = f''(x)", "x'' = f''(x)"])
+@pytest.mark.parametrize(
+    "written", [r"\ddot x = \frac{d^2 f}{dx^2}", r"\ddot x = f''(x)", r"\ddot x = f''", "x'' = f''(x)", "x'' = f''"]
+)
 def test_second_derivatives_of_functions(written: str) -> None:
     scope = loaded("bead-on-any-wire").scope
     [plain] = read_as_written(Fragment.of("x'' = diff(diff(f, x), x)"), scope).components
