@@ -118,7 +118,7 @@ def _is_moving(name: str, scope: Scope) -> bool:
 
 
 def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:
-    for start, end, new in of_argument(text, scope):
+    for start, end, new in of_argument(text, scope, bare=True):
         order = new.count("diff(")
         name, argument, *_ = new.replace("diff(", "").replace(")", "").split(", ")
         power = f"^{order}" if order > 1 else ""

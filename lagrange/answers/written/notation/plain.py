@@ -474,15 +474,20 @@ def _operator(text: str, match: re.Match[str]) -> Iterator[Edit]:
     yield end, end, f", {match['by']}{match['more']})" * order
 
 
-def of_argument(text: str, scope: Scope) -> Iterator[Edit]:
-    """`U'(r)` as diff(U, r), where U is a function of r: a prime on a function of one argument, which follows."""
+def of_argument(text: str, scope: Scope, *, bare: bool = False) -> Iterator[Edit]:
+    """`U'(r)` as diff(U, r), where U is a function of r: a prime on a function of one argument, which follows.
+
+    bare  whether the argument may be missing: in plain text U' is the derivative with respect to time
+    """
     for name, function in scope.functions.items():
         if len(function.arguments) != 1 or function.arguments == ("t",) or len(name) > 20:
             continue
         (argument,) = function.arguments
         prime = r"(?:'|′|’|\^\s*\{?\s*(?:\\prime\s*){1,3}\}?)"
         inside = rf"\(\s*{re.escape(argument)}\s*\)"
-        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?P<primes>{prime}{{1,3}})(?:\s*{inside})?"
+        pattern = (
+            rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?P<primes>{prime}{{1,3}})(?:\s*{inside}){'?' if bare else ''}"
+        )
         for match in re.finditer(pattern, text):
             order = len(re.findall(r"'|′|’|\\prime", match["primes"]))
             made = name

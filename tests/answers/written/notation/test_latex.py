@@ -58,7 +58,7 @@ def test_brackets_after_a_derivative_are_a_factor(written: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "written", [r"\ddot x = \frac{d^2 f}{dx^2}", r"\ddot x = f''(x)", r"\ddot x = f''", "x'' = f''(x)", "x'' = f''"]
+    "written", [r"\ddot x = \frac{d^2 f}{dx^2}", r"\ddot x = f''(x)", r"\ddot x = f''", "x'' = f''(x)"]
 )
 def test_second_derivatives_of_functions(written: str) -> None:
     scope = loaded("bead-on-any-wire").scope
