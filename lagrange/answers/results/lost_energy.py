@@ -15,6 +15,7 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
+from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.answers.models.forces import name_of
 from lagrange.answers.models.mechanics import AppliedForceKind, Mechanics
 from lagrange.answers.references import ReferenceCandidate
@@ -51,7 +52,7 @@ def explained_by_lost_energy(claim: sp.Expr, asked: Asked, candidates: Sequence[
 
 
 def _energy(m: Mechanics) -> sp.Expr | None:
-    """T + V without the forces that lose energy; None if another one is no force of a position."""
+    """T + V without the forces that lose energy; None if another one depends on more than its own coordinate."""
     potential = sp.S.Zero
     for f in m.forces:
         for q, share in zip(m.slots.coordinates, f.shares, strict=True):
@@ -59,7 +60,10 @@ def _energy(m: Mechanics) -> sp.Expr | None:
                 continue
             if any(s == t or (s != q and base(s) in m.slots.coordinates) for s in share.free_symbols):
                 return None
-            potential -= sp.integrate(sp.expand(f.factor * share), q)
+            work = antiderivative(sp.expand(f.factor * share), q)
+            if work is None:
+                return None
+            potential -= work
     return kinetic_energy(m.configuration) + potential
 
 
