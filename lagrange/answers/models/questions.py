@@ -341,6 +341,35 @@ def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengt
 
 
 def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]) -> Iterator[str]:
+    """What would have to be changed, the likeliest first."""
+    from lagrange.answers.models.one_place import of_arguments, of_one_place
+
+    yield from _of_forgotten_parameters(claim, right, fixed, lengths)
+    yield from _of_right_angles(claim, right)
+    yield from _of_terms(claim, right)
+    if claim.func is right.func and isinstance(right, sp.acos | sp.asin | sp.atan):
+        yield from _differences(claim.args[0], right.args[0], fixed, lengths)
+        return
+    yield from of_arguments(claim, right)
+    yield from _of_one_term(claim, right)
+    yield from _of_sums(claim, right)
+    ratio = _plain_ratio(claim, right)
+    if ratio is not None:
+        yield from _of_ratio(ratio, claim, opposite=_same(claim, -ratio * right))
+        if _is_odd_number(ratio):
+            return  # what follows would be another number
+    yield from _of_exchanged_letters(claim, right, fixed)
+    yield from of_one_place(claim, right, fixed)
+    yield from _of_complements(claim, right)
+    more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
+    if more:
+        yield f"{NO_DEPENDENCE} {', '.join(map(str, more))}"
+
+
+def _of_forgotten_parameters(
+    claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]
+) -> Iterator[str]:
+    """Parameters that are 0 in the answer, or very large."""
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=lambda p: (p in lengths, str(p))):
         special = sp.together(right).xreplace({p: sp.S.Zero})
         if special.has(sp.nan, sp.zoo, sp.oo):
@@ -353,11 +382,18 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
             and _same(claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero}))
         ):
             yield f"this is the answer in the limit of a very large {p}"
+
+
+def _of_right_angles(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
     legs = sp.Add.make_args(sp.expand(right**2))
     if len(legs) == 2:
         sides = [sp.sqrt(leg) for leg in legs]
         if any(_same(claim, a * sides[0] + b * sides[1]) for a, b in product((1, -1), repeat=2)):
             yield "two parts at right angles are added as if they had one direction: it is the root of their squares"
+
+
+def _of_terms(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
+    """One term with another factor, in the answer or in a form of it."""
     for form, where in _FORMS:
         stated, derived = sp.expand(form(claim)), sp.expand(form(right))
         terms = sp.Add.make_args(derived)
@@ -368,48 +404,56 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
                 if _same(stated, derived + factor * term):
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
-    if claim.func is right.func and isinstance(right, sp.acos | sp.asin | sp.atan):
-        yield from _differences(claim.args[0], right.args[0], fixed, lengths)
-        return
-    from lagrange.answers.models.one_place import of_arguments, of_one_place
 
-    yield from of_arguments(claim, right)
-    yield from _of_one_term(claim, right)
-    yield from _of_sums(claim, right)
+
+def _plain_ratio(claim: sp.Expr, right: sp.Expr) -> sp.Expr | None:
+    """The answer over the right one, up to its sign, if that is a product of few plain factors."""
     ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
     if not all(map(_is_plain, sp.Mul.make_args(ratio))):
         ratio = sp.factor(sp.cancel(sp.together(claim / right)))
     factors = sp.Mul.make_args(ratio)
-    opposite = _same(claim, -ratio * right)
-    if len(factors) <= 3 and all(map(_is_plain, factors)) and (opposite or _same(claim, ratio * right)):
-        above, below = sp.fraction(ratio)
-        if ratio.is_number and 1 not in (above**2, below**2):
-            size = abs(below / above)
-            only = "its sign is wrong, and a number" if opposite else "only a number is wrong in it"
-            if _is_short(size):
-                yield f"{only}: it has to be {_written(size)} times as large"
-            elif _is_short(size**2):
-                yield f"{only}: its square has to be {_written(size**2)} times as large"
-            return
-        parts = ["its sign is wrong"] if opposite else []
-        parts += [f"a factor {_written(below)} is missing"] if below != 1 else []
-        if above != 1:
-            there = above.free_symbols <= claim.free_symbols
-            parts.append(
-                f"there is a factor {_written(above)} too many" if there else f"it is not divided by {_written(above)}"
-            )
-        if parts:
-            yield " and ".join(parts)
+    if len(factors) > 3 or not all(map(_is_plain, factors)):
+        return None
+    return ratio if _same(claim, -ratio * right) or _same(claim, ratio * right) else None
+
+
+def _is_odd_number(ratio: sp.Expr) -> bool:
+    """Whether a ratio is a number whose numerator and denominator both differ from 1: 2/3."""
+    above, below = sp.fraction(ratio)
+    return bool(ratio.is_number and 1 not in (above**2, below**2))
+
+
+def _of_ratio(ratio: sp.Expr, claim: sp.Expr, *, opposite: bool) -> Iterator[str]:
+    above, below = sp.fraction(ratio)
+    if _is_odd_number(ratio):
+        size = abs(below / above)
+        only = "its sign is wrong, and a number" if opposite else "only a number is wrong in it"
+        if _is_short(size):
+            yield f"{only}: it has to be {_written(size)} times as large"
+        elif _is_short(size**2):
+            yield f"{only}: its square has to be {_written(size**2)} times as large"
+        return
+    parts = ["its sign is wrong"] if opposite else []
+    parts += [f"a factor {_written(below)} is missing"] if below != 1 else []
+    if above != 1:
+        there = above.free_symbols <= claim.free_symbols
+        parts.append(
+            f"there is a factor {_written(above)} too many" if there else f"it is not divided by {_written(above)}"
+        )
+    if parts:
+        yield " and ".join(parts)
+
+
+def _of_exchanged_letters(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
     for p, q in combinations(sorted(right.free_symbols & claim.free_symbols - fixed, key=str), 2):
         if _same(claim, right.xreplace({p: q, q: p})):
             yield f"this is the answer with {p} and {q} exchanged"
-    yield from of_one_place(claim, right, fixed)
+
+
+def _of_complements(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
     for angle in sorted({a for w in claim.atoms(sp.sin, sp.cos, sp.tan) for a in w.free_symbols}, key=str):
         if _same(claim.xreplace({angle: sp.pi / 2 - angle}), right):
             yield f"this is the answer for {angle} measured from the perpendicular direction (sine and cosine)"
-    more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
-    if more:
-        yield f"{NO_DEPENDENCE} {', '.join(map(str, more))}"
 
 
 def _tends_to(value: sp.Expr, p: sp.Symbol, claim: sp.Expr) -> bool:
