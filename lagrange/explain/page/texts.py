@@ -79,13 +79,16 @@ def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
     if quantity is not None:
         [left] = _formula(name, problem) if equals else (math(quantity),)
         return (math(*left.sides, quantity) if equals and isinstance(left, Math) else math(quantity),)
+    scope = problem.scope
+    if "O" not in scope.vectors:  # in a text the point, and not its position
+        scope = replace(scope, scalars={"O": sp.Symbol("O", real=True), **scope.scalars})
     try:
-        return _read(text, problem.scope)
+        return _read(text, scope)
     except ProblemError as error:
         names = [d.about for d in error.diagnostics if d.code == "unknown-symbol"]
     known = {name: sp.Symbol(name, real=True) for name in names}
     try:
-        return _read(text, replace(problem.scope, scalars={**known, **problem.scope.scalars}))
+        return _read(text, replace(scope, scalars={**known, **scope.scalars}))
     except ProblemError:
         return (text,)
 

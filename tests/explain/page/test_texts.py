@@ -62,3 +62,7 @@ def test_formulas_are_limited() -> None:
 def test_the_unit_vectors_of_the_only_body() -> None:
     parts = set_text("about n1 and e3", loaded("heavy-top"))
     assert [str(p.sides[0]) for p in parts if isinstance(p, Math)] == ["n1", "e3"]
+
+
+def test_the_origin_is_a_point_in_a_text() -> None:
+    assert written("hinged at $O$, `O`") == "hinged at O, O"
