@@ -65,4 +65,4 @@ def test_the_unit_vectors_of_the_only_body() -> None:
 
 
 def test_the_origin_is_a_point_in_a_text() -> None:
-    assert written("hinged at $O$, `O`") == "hinged at O, O"
+    assert written("hinged at $O$, `O`") == "hinged at ‹O›, ‹O›"
