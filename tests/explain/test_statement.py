@@ -78,8 +78,8 @@ def test_weights_that_the_file_numbers_are_weights() -> None:
 
 
 def test_the_friction_of_a_body_needs_no_name_and_its_normal_force_is_explained_once() -> None:
-    told = reported("rough-wedge", complete=False)
-    found = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    wedge = reported("rough-wedge", complete=False)
+    found = " ".join(terminal.text(wedge.derivation, wedge.notation, 100).split())
     assert "are its weight and the friction:" in found
     assert found.count("The friction contains N") == 1
 
