@@ -49,7 +49,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
-from lagrange.core.effort import GivenUpError, allowed_for_a_search
+from lagrange.core.effort import within
 from lagrange.core.symbols import Decimal, Sign
 from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.document.math_writer import text
@@ -283,11 +283,7 @@ def explained_equilibria(
     problem: Problem | None = None,
 ) -> str:
     """The changed problem whose equilibria the wrong alternatives are, in a sentence; empty if not found."""
-    try:
-        with allowed_for_a_search(UNITS_OF_EXPLAINING):
-            return _explained(alternatives, equilibria, reference, problem)
-    except GivenUpError:
-        return ""
+    return within(UNITS_OF_EXPLAINING, lambda: _explained(alternatives, equilibria, reference, problem)) or ""
 
 
 def _explained(

@@ -23,6 +23,7 @@ from lagrange.core.effort import (
     kept_result,
     spend,
     unlimited,
+    within,
 )
 
 
@@ -202,3 +203,10 @@ def test_signs_and_numbers_are_counted() -> None:
     assert units(lambda: [((a + n) ** 2 + b * n).is_positive for n in range(200)]) > 500
     number = sum(sp.sqrt(n) for n in range(2, 400))
     assert units(lambda: number.evalf(50)) > 300
+
+
+def test_a_search_that_takes_too_much_has_no_result() -> None:
+    with allowed(1_000) as outer:
+        assert within(10, lambda: spend(20)) is None
+        assert within(10, lambda: 5) == 5
+        assert 0 < outer.left < 1_000

@@ -31,7 +31,7 @@ from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import numbers_rounding_to
 from lagrange.core.diagnostics import Fragment
-from lagrange.core.effort import GivenUpError, allowed_for_a_search
+from lagrange.core.effort import within
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -133,11 +133,7 @@ def _explained(
     solution: Solution,
 ) -> str:
     """What wrong limits are instead, in a sentence; empty if that is not found."""
-    try:
-        with allowed_for_a_search(UNITS_OF_EXPLAINING):
-            return _found_explanation(wrong, motions, reference, solution)
-    except GivenUpError:
-        return ""
+    return within(UNITS_OF_EXPLAINING, lambda: _found_explanation(wrong, motions, reference, solution)) or ""
 
 
 def _found_explanation(
