@@ -16,6 +16,7 @@ from random import Random
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED, SHORTEST_TRIED, TRIED_POINTS
+from lagrange.algebra.closed_forms.shortest_form import in_sines
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, Reals
@@ -233,7 +234,7 @@ def _as_angles(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
     waves = e.atoms(sp.sin, sp.cos, sp.tan)
     if len(waves) < 2 or not all(isinstance(s, Bounded) for w in waves for s in w.free_symbols):
         return e
-    form = textbook_form(_without_positive_factors(_in_sines(e), positive))
+    form = textbook_form(_without_positive_factors(in_sines(e), positive))
     wave = next((f for f in sp.Mul.make_args(form) if isinstance(f, sp.sin | sp.cos)), None)
     ends = range_of(wave.args[0]) if wave is not None and wave.args[0].is_Add else None
     sign = None if wave is None else sign_of(form / wave, positive)
@@ -241,10 +242,8 @@ def _as_angles(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
         return e
     angle = wave.args[0] if isinstance(wave, sp.sin) else sp.pi / 2 - wave.args[0]
     low, high = (ends.low, ends.high) if isinstance(wave, sp.sin) else (sp.pi / 2 - ends.high, sp.pi / 2 - ends.low)
-    inside = (low > -sp.pi or (low == -sp.pi and all(ends.strict))) and (
-        high < sp.pi or (high == sp.pi and all(ends.strict))
-    )
-    return sign * angle if inside else e
+    widest = sp.Max(-low, high)
+    return sign * angle if widest < sp.pi or (widest == sp.pi and all(ends.strict)) else e
 
 
 def _without_common_power(e: sp.Expr) -> sp.Expr:
