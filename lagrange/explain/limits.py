@@ -216,3 +216,5 @@ SHORTEST_REPEATED_LENGTH = 10
 
 MOST_PLACES = 4
 """Equilibria of which all are named beside a frequency that they share; of more only the first."""
+LONGER_SOLVED = 2
+"""Equations solved for the accelerations may take so many times the operations of equations with exceptions."""
