@@ -371,7 +371,7 @@ def _of_forgotten_parameters(
 ) -> Iterator[str]:
     """Parameters that are 0 in the answer, or very large."""
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=lambda p: (p in lengths, str(p))):
-        special = sp.together(right).xreplace({p: sp.S.Zero})
+        special = _without(sp.together(right), p)
         if special.has(sp.nan, sp.zoo, sp.oo):
             special = claim if _tends_to(right, p, claim) else sp.nan
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
@@ -382,6 +382,14 @@ def _of_forgotten_parameters(
             and _same(claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero}))
         ):
             yield f"this is the answer in the limit of a very large {p}"
+
+
+def _without(value: sp.Expr, p: sp.Symbol) -> sp.Expr:
+    """The value for p = 0; not a number where it has none."""
+    try:
+        return value.xreplace({p: sp.S.Zero})
+    except TypeError:  # sympy compares the argument of a tanh, which is infinite, with numbers
+        return sp.nan
 
 
 def _of_right_angles(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
