@@ -220,7 +220,7 @@ def mechanics_of(configuration: Configuration, problem: Problem, frictions: Sequ
     places = tuple((p.name, p.position) for p in (*problem.particles, *problem.bodies))
     ends = tuple(
         (name, tuple(e.fixed().map(configuration.rewritten) for e in shape.ends))
-        for name, shape in sorted(problem.shapes.items())
+        for name, shape in sorted(problem.figure.shapes.items())
         if shape.ends
     )
     return Mechanics(
