@@ -4,6 +4,9 @@ The displacements that a constraint f(q) = 0 leaves satisfy Σ_k (∂f/∂q_k) �
 them the derivative may have the wrong sign, lack a factor, or be forgotten. With such a row in place of the right one
 the stated forces balance, and that is one exact test for each term.
 
+A reaction may be taken from the balance along its own direction, as if no other reaction had a component there: the
+normal force as W cos α where a second plane, a wall or a rope acts as well.
+
 A force may be forgotten in one of the equations and counted in the others: in the balance of moments, and not in that of
 forces from which a reaction was found first.
 """
@@ -26,6 +29,8 @@ from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
     from lagrange.answers.results.resting import Resting, Substitution
+    from lagrange.mechanics.constraints.kinematics import Configuration
+    from lagrange.mechanics.dynamics.newton import Newton
 
 _SLIPS = (
     (-sp.Integer(2), "has the wrong sign"),
@@ -84,3 +89,32 @@ def in_one_equation_only(m: Mechanics) -> Iterator[Variation]:
             shares = tuple(sp.S.Zero if i == k else s for i, s in enumerate(f.shares))
             changed = m.force(lambda g, f=f, shares=shares: replace(g, shares=shares) if g == f else g)  # type: ignore[misc]
             yield Variation(f"without {name_of(f)} in the equation of {q} alone", f"the equation of {q}", changed)
+
+
+def of_the_direction_alone(zero: sp.Expr, newton: Newton, configuration: Configuration) -> str:
+    """Whether a stated reaction balances the components of the applied forces along it, in a sentence; empty if not.
+
+    zero  which vanishes, in the multipliers and the coordinates of the configuration
+    """
+    stated = [r for r in newton.reactions if r.multiplier in zero.free_symbols]
+    if len(stated) != 1 or len(newton.reactions) < 2:
+        return ""
+    [reaction] = stated
+    for name, direction in (reaction.directions or {}).items():
+        along = direction.fixed().map(configuration.rewritten)
+        loads = [f for f in configuration.loads if f.on == name]
+        square = along.dot(along)
+        if not loads or square == 0:
+            continue
+        total = sp.Add(*(f.vector.fixed().map(configuration.rewritten).dot(along) for f in loads))
+        try:
+            if total != 0 and is_zero(zero.xreplace({reaction.multiplier: -total / square})) is True:
+                what = "the applied forces" if len(loads) > 1 else "the weight" if loads[0].name == "weight" else ""
+                what = what or f"`{loads[0].name}`"
+                return (
+                    f"this balances the component of {what} along it, as if no other reaction had a component in "
+                    "that direction"
+                )
+        except (DivisionByZeroError, NoPointError, UnsupportedError):
+            continue
+    return ""
