@@ -402,8 +402,17 @@ def _of_terms(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
         for term in terms:
             for factor, how in _HOW:
                 if _same(stated, derived + factor * term):
-                    what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
-                    yield how.format(what) + ("" if "denominator" in where else where)
+                    shown = sp.expand(_of_denominator(term, form(right)) if "denominator" in where else term)
+                    yield how.format(f"the term {_written(_unsigned(shown))}{where}")
+
+
+def _of_denominator(term: sp.Expr, inverse: sp.Expr) -> sp.Expr:
+    """A term of the inverse of a value as a term of its denominator; of a sum among its factors, if that is one."""
+    above, below = sp.fraction(sp.factor(inverse))
+    share = sp.cancel(term * below)
+    sums = [f for f in sp.Mul.make_args(above) if f.is_Add]
+    parts = [sp.cancel(share * f / above) for f in sums]
+    return next((p for f, p in zip(sums, parts, strict=True) if p in f.args), share)
 
 
 def _plain_ratio(claim: sp.Expr, right: sp.Expr) -> sp.Expr | None:
