@@ -345,6 +345,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
     from lagrange.answers.models.one_place import of_arguments, of_one_place
 
     yield from _of_forgotten_parameters(claim, right, fixed, lengths)
+    if right.is_Add:  # one of its terms is missing, which says more than that another letter is large
+        yield from _of_terms(claim, right)
+    yield from _of_large_parameters(claim, right, fixed, lengths)
     yield from _of_right_angles(claim, right)
     yield from _of_terms(claim, right)
     if claim.func is right.func and isinstance(right, sp.acos | sp.asin | sp.atan):
@@ -369,13 +372,20 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
 def _of_forgotten_parameters(
     claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]
 ) -> Iterator[str]:
-    """Parameters that are 0 in the answer, or very large."""
+    """Parameters that are 0 in the answer."""
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=lambda p: (p in lengths, str(p))):
         special = sp.together(right).xreplace({p: sp.S.Zero})
         if special.has(sp.nan, sp.zoo, sp.oo):
             special = claim if _tends_to(right, p, claim) else sp.nan
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
+
+
+def _of_large_parameters(
+    claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]
+) -> Iterator[str]:
+    """Parameters that are very large in the answer."""
+    for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
         if (
             p not in lengths
             and right.is_rational_function(p)
