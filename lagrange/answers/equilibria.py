@@ -50,7 +50,7 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.effort import within
-from lagrange.core.symbols import Decimal, Sign
+from lagrange.core.symbols import Decimal, Sign, Unspecified
 from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
@@ -314,13 +314,14 @@ def _reasons(
     stated = [c for a in wrong for r in a for c in r.components]
     tried = WrongEquilibria([[c for r in a for c in r.components] for a in wrong], e, values)
 
+    unspecified = any(x.atoms(Unspecified) for x in (*e.work.forces, *stated))
     at_random = AtRandom([[c for r in a for c in r.components] for a in wrong], e)
 
     def holds(variation: Variation) -> bool:
+        if not (tried.tried and unspecified) and not at_random.may_hold(variation):
+            return False
         if tried.tried:
             return tried.holds(variation)
-        if not at_random.may_hold(variation):
-            return False
         rule = dict(variation.rule)
         changed = [
             tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong

@@ -47,9 +47,9 @@ def of_differential(rule: Substitution, resting: Resting, problem: Problem) -> s
         constraint = next((c for c in problem.constraints if c.name == row.name), None)
         if constraint is None or constraint.kinematic:
             continue
-        for terms in _sums(constraint.function, problem, {*slots.coordinates}):
-            own = [sp.Add(*(x.diff(q) for x in terms)) for q in slots.coordinates]
-            try:
+        try:
+            for terms in _sums(constraint.function, problem, {*slots.coordinates}):
+                own = [sp.Add(*(x.diff(q) for x in terms)) for q in slots.coordinates]
                 if any(is_zero(a - b) is not True for a, b in zip(own, row.coefficients, strict=True)):
                     continue
                 for (factor, how), term, (k, q) in product(_SLIPS, terms, enumerate(slots.coordinates)):
@@ -62,8 +62,8 @@ def of_differential(rule: Substitution, resting: Resting, problem: Problem) -> s
                         shown = written(-term if term.could_extract_minus_sign() else term, slots)
                         where = f"in the differential of the constraint `{row.name}`"
                         return f"{where}, the derivative of {shown} with respect to {q} {how}"
-            except (DivisionByZeroError, NoPointError, UnsupportedError):
-                continue
+        except (DivisionByZeroError, NoPointError, UnsupportedError):
+            continue
     return ""
 
 
@@ -72,9 +72,10 @@ def _sums(function: sp.Expr, problem: Problem, coordinates: set[sp.Symbol]) -> I
     places = [Vector.zero(), *(p.position for p in (*problem.particles, *problem.bodies))]
     for one, other in combinations(places[:MOST_CONDITION_TERMS], 2):
         way = (other - one).fixed().components
-        rest = sp.expand(function - sp.Add(*(c**2 for c in way)))
-        if not sp.trigsimp(rest).free_symbols & coordinates:
-            yield tuple(c**2 for c in way if c != 0)
+        squares = tuple(c**2 for c in way if c != 0)
+        rest = function - sp.Add(*squares)
+        if len(squares) > 1 and all(is_zero(rest.diff(q)) is True for q in sorted(coordinates, key=str)):
+            yield squares
     terms = sp.Add.make_args(function)
     if len(terms) <= MOST_CONDITION_TERMS and {s for x in terms for s in x.free_symbols} & coordinates:
         yield terms
