@@ -253,6 +253,10 @@ LONGEST_RUN_OF_LETTERS = 3
 LONGEST_COMPARED_REACTION = 100
 """Of a reaction at rest with which a wrong one is compared term by term."""
 
+LONGEST_REACTION_OF_ONE_BODY = 500
+"""Of a reaction as solved from the equations of one body by itself, in the coordinates of a choice, before any is
+simplified: 200 for the lower rod of a double pendulum."""
+
 MOST_AMPLITUDES = 4
 AMPLITUDE_DRAWS = 3
 """Coordinates of a steady state that an answer is compared with, and random parameters at which it must agree, to

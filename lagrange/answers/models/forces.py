@@ -207,6 +207,22 @@ def at_the_end(m: Mechanics) -> Iterator[Variation]:
         names = ", ".join(map(name_of, those))
         where = "the end of its length, and not in the middle" if len(those) == 1 else "the ends, and not in the middle"
         yield Variation(f"for {names} acting at {where}", f"where {names} acts", changed)
+    yield from _at_the_ends_of_rods(m)
+
+
+def _at_the_ends_of_rods(m: Mechanics) -> Iterator[Variation]:
+    """A constant force in the middle of a rod acts at one of its ends."""
+    ends = dict(m.ends)
+    for load in m.configuration.loads:
+        kind = AppliedForceKind.WEIGHT if load.name == "weight" else AppliedForceKind.FORCE
+        own = next((f for f in m.of_kind(kind) if f.name == load.name and f.on == (load.on,)), None)
+        if load.elsewhere or own is None or not is_constant(load, m.configuration):
+            continue
+        for end in ends.get(load.on, ()):
+            shares = weight_shares(load, end, m.slots)
+            changed = m.force(lambda f, own=own, s=shares: replace(f, shares=s) if f == own else f)  # type: ignore[misc]
+            clause = f"for {name_of(own)} acting at an end of {called(load.on)}, and not in its middle"
+            yield Variation(clause, f"where {name_of(own)} acts", changed)
 
 
 def _without_halves(component: sp.Expr) -> sp.Expr:

@@ -66,8 +66,8 @@ def _letters(
     for p in sorted(used, key=lambda p: p in lengths):
         yield Variation(f"for {p} with the opposite sign", f"the sign of {p}", rule={p: -p})
     for p in used:
-        for factor, word in ((sp.Rational(1, 2), "twice as large"), (sp.Integer(2), "half as large")):
-            yield Variation(f"for {p} {word}", f"the factor of {p}", rule={p: factor * p})
+        for factor, stands in ((sp.Rational(1, 2), f"2*{p}"), (sp.Integer(2), f"{p}/2")):
+            yield Variation(f"with {stands} in place of {p}", f"the factor of {p}", rule={p: factor * p})
     waves = {s for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in w.free_symbols}
     for q in sorted(waves, key=str):
         rule = {q: sp.pi / 2 - q}
@@ -108,6 +108,8 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             row, space = states[0].row(claim), models.space(number, variation)
             if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
                 return f"this is the reaction {variation.clause}"
+        if multiple := _multiple_of_reaction(claim, models, states):
+            return multiple
         for variation in variations:
             if variation not in likely and all(claim_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
@@ -118,6 +120,17 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             return f"the right answer does not depend on {', '.join(map(str, more))}"
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass
+    return ""
+
+
+def _multiple_of_reaction(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> str:
+    """Whether a reaction is twice or half as large as the right one; a sentence, or empty."""
+    forces = [m for m in models.system.multipliers if m in claim.free_symbols]
+    for factor, how in ((sp.Rational(1, 2), "half"), (sp.Integer(2), "twice")) if len(forces) == 1 else ():
+        [force] = forces
+        right = Variation("", "", rule={force: factor * force})
+        if all(claim_holds(claim, right, at) for at in states):
+            return f"it is {how} as large as it should be"
     return ""
 
 

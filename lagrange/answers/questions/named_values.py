@@ -193,15 +193,27 @@ def written_label(fragment: Fragment) -> str:
 
 def is_used_beside(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
     """Whether the label of a line is no name of the problem and occurs in another line, which it then defines."""
-    match = _LABEL.match(fragment.text)
+    match = _LABEL.match(_SQUARE.sub(r"\1", fragment.text))
     if match is None or label_of(fragment) in reference.declared or match["name"] in reference.declared:
         return False
-    written = re.escape(written_label(fragment))
-    before = "" if written[:1] in GREEK else r"(?<![A-Za-z0-9_\\])"  # of Rω, ω is a factor
+    start = fragment.span(0, len(fragment.text)).start
+    if _DEFINES.search(fragment.whole.source.text[max(0, start - 30) : start]):
+        return True
+    name = match["written"].strip()
+    written = re.escape(name)
+    before = "" if name[:1] in GREEK else r"(?<![A-Za-z_\\])(?<![A-Za-z_][0-9])"  # of Rω, ω is a factor
     used = re.compile(rf"{before}{written}(?![A-Za-z0-9_{{])")
     rate = re.compile(rf"(?<![A-Za-z\\])d\s?{written}\s*(?:/|\}}\s*\{{)\s*d|\\dot\s*\{{?\s*{written}(?![A-Za-z0-9_])")
     others = (f.text for f in answer if f is not fragment and not rate.search(f.text))  # of dv/dt, v is the velocity
     return any(used.search(re.sub(r"\A[^=]*=", "", text)) for text in others)
+
+
+_SQUARE = re.compile(r"\A([^=]{1,30}?)(?:\^\s*\{?\s*2\s*\}?|²)(?=\s*&?=)")
+_DEFINES = re.compile(
+    r"\b(?:let|where|with|set|put|define|writing|wobei|mit|sei|avec|où|soit)(?:\s|[$}:,&\\]|\\[,;:! ])*\Z",
+    re.IGNORECASE,
+)
+"""What says that a name is defined: `where w^2 = g/l`."""
 
 
 # Chains

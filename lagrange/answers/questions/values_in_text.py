@@ -56,7 +56,8 @@ from lagrange.mechanics.results import Solution
 from lagrange.values.dimensions import dimension, dimensions_of_units
 
 _NAMED = re.compile(
-    r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$", re.MULTILINE
+    r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40}(?: \w{1,20}){0,5})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$",
+    re.MULTILINE,
 )
 _BETWEEN = re.compile(r"[,;]|\b(?:and|or)\b|\\(?:text|mathrm|mbox)\{\s*(?:and|or)?\s*\}|\\q?quad(?![A-Za-z])|\n")
 _COMMAND = re.compile(r"\\(?:text|mathrm|mbox)\{[^{}]*\}|\\[A-Za-z]+")
@@ -68,13 +69,11 @@ _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "
 
 def with_sign_after_names(text: str, names: Collection[str]) -> str:
     """`height: v^2/(2*g)` with `=` for the colon, for each name of a question; every place stays where it is."""
-    places = [
-        m.start("colon")
-        for m in _NAMED.finditer(text)
-        if m["name"] in names and not has_sign_of_equality(m["rest"]) and not is_inequality(Fragment.of(m["rest"]))
-    ]
-    for place in places:
-        text = f"{text[:place]}={text[place + 1 :]}"
+    for m in [*_NAMED.finditer(text)]:
+        name = "_".join(m["name"].split(" "))  # of the same length
+        if name in names and not has_sign_of_equality(m["rest"]) and not is_inequality(Fragment.of(m["rest"])):
+            place = m.start("colon")
+            text = f"{text[: m.start('name')]}{name}{text[m.end('name') : place]}={text[place + 1 :]}"
     return text
 
 
@@ -217,9 +216,14 @@ def asked_in_text(
     reference = reference_of_solution(solution)
     defined = understood(answer, reference).defined
     scalars = {n: e for n, e in defined.items() if n not in reference.scope.scalars}
-    wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
+
+    def with_definitions(without: str) -> Reference:
+        added = {n: e for n, e in scalars.items() if n != without}
+        return replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **added}))
+
     has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
+        wider = with_definitions(label_of(fragment))  # of v(h) = a, v(t) = b each is the label of a value
         if _is_condition(fragment, questions, reference) or _is_condition(fragment, questions, wider):
             continue
         compared = [*_verdicts(fragment, questions, solution, reference)]

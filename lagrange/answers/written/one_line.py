@@ -54,7 +54,7 @@ _IN_BRACKETS = re.compile(
 )
 _ABOUT = re.compile(rf"{ABOUT}|\\sim(?![A-Za-z])|~=|(?<=\s)~(?=\s)")
 _LABEL = re.compile(
-    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
+    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}(?::\s*\}|\}\s*&?\s*:)"
     r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))[^:=+\\]{0,8}:"
     r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
 )
