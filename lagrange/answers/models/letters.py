@@ -117,7 +117,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
         more = sorted(claim.free_symbols - own - bound, key=str)
         if more and not any(base(s) in (*slots.coordinates, *slots.prescribed, t) for s in more):
-            return f"the right answer does not depend on {', '.join(map(str, more))}"
+            return f"the reaction in an arbitrary state does not depend on {', '.join(map(str, more))}"
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass
     return ""

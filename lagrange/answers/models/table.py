@@ -53,6 +53,7 @@ MODELS = (
     Model("spring with its length for its extension", forces.spring_by_length),
     Model("carried weight left out", forces.carried_weight_left_out),
     Model("force left out", forces.force_left_out),
+    Model("one weight reversed", forces.one_weight_reversed),
     Model("dT/dq left out", kinetic.gradient_left_out),
     Model("d/dt of a product half done", kinetic.product_half_done),
     Model("Coriolis terms", kinetic.mixed_terms),

@@ -282,8 +282,8 @@ class WrongEquilibria:
         """The term of a constraint whose derivative is wrong, in a sentence; empty if not found."""
         from lagrange.answers.results.virtual_work import of_differential
 
-        rule = self.rules[0] if len(self.rules) == 1 else None
-        return "" if rule is None or not self.tried else of_differential(rule, self.resting, problem)
+        rules = [r for r in self.rules if r is not None]
+        return of_differential(rules, self.resting, problem) if self.tried else ""
 
     def of_one_force(self, problem: Problem) -> str:
         """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not
