@@ -82,6 +82,7 @@ MODELS = (
     Model("complementary angle", kinematics.complement),
     Model("parameters exchanged", kinematics.exchanged),
     Model("parameter left out", kinematics.left_out),
+    Model("parameter twice or half as large", kinematics.doubled),
     Model("sum for difference of lengths", kinematics.sum_of_lengths),
     Model("one parameter for another", kinematics.one_for_another),
     Model("force in the wrong equation", forces.in_the_wrong_equation),

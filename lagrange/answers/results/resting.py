@@ -115,6 +115,8 @@ class Resting:
             equation = equation.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
+            if e == 0:
+                continue  # it says the same as another one
             free = e.free_symbols - bound - {*rule, *fixed, t}
             letters = sorted(free, key=lambda s: (s in coordinates, s not in self.equilibrium.forces, str(s)))
             waves = sorted((w for w in e.atoms(sp.sin, sp.cos) if w.args[0] in coordinates), key=str, reverse=True)
