@@ -398,7 +398,7 @@ class _Search:
             if wanted is not None and state.point.arithmetic.vanishes(wanted) and len(self.terms) > 1:
                 yield 4.6, Diagnosis(None, Slip.EXTRA, term)
         reduce = state.point.arithmetic.reduce
-        for derived in self.system.equations:
+        for derived in (*self.system.equations, *self.system.accelerated_constraints):
             for term in terms_of(derived) or ():
                 residue = state.residue_kept(term)
                 ratio = None if residue is None else state.ratio(total, residue)
