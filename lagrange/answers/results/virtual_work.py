@@ -13,7 +13,7 @@ forces from which a reaction was found first.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, product
 from typing import TYPE_CHECKING
@@ -40,7 +40,7 @@ _SLIPS = (
 )
 
 
-def of_differential(rule: Substitution, resting: Resting, problem: Problem) -> str:
+def of_differential(rules: Sequence[Substitution], resting: Resting, problem: Problem) -> str:
     """The term of a constraint whose derivative is wrong in the displacements that an answer implies, in a sentence."""
     slots = resting.slots
     for j, row in enumerate(resting.equilibrium.binding):
@@ -58,7 +58,7 @@ def of_differential(rule: Substitution, resting: Resting, problem: Problem) -> s
                         continue
                     changed = [own[i] + factor * slope if i == k else a for i, a in enumerate(own)]
                     rows = [*resting.rows[:j], changed, *resting.rows[j + 1 :]]
-                    if resting.balanced(resting.own, rule, rows):
+                    if all(resting.balanced(resting.own, rule, rows) for rule in rules):
                         shown = written(-term if term.could_extract_minus_sign() else term, slots)
                         where = f"in the differential of the constraint `{row.name}`"
                         return f"{where}, the derivative of {shown} with respect to {q} {how}"
