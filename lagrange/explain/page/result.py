@@ -35,6 +35,7 @@ from lagrange.explain.limits import (
     LONGEST_ACCELERATION,
     LONGEST_ANSWER,
     LONGEST_ANSWER_CONDITIONS,
+    LONGEST_ASKED,
     LONGEST_FREQUENCY,
     LONGEST_RADICAND,
     LONGEST_RESULT,
@@ -104,7 +105,9 @@ def explain_result(
     _shorten(solution, kept)
     freedom = solution.classification.degrees_of_freedom
     while kept and not _is_short(kept.values()):
-        longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(e.operations for e in kept[rule])))
+        # What is asked stays to the last.
+        others: list[Rule] = [rule for rule in kept if rule is not Rule.QUESTION] or [*kept]
+        longest = max(others, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(e.operations for e in kept[rule])))
         held = freedom == 0 and Rule.EQUILIBRIUM in kept  # then the reactions are what is sought
         kept.pop(Rule.EQUILIBRIUM if held else Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
@@ -444,7 +447,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
             yield replace(line, condition=("when ", *listed(map(as_stated, asked.question.when))))
     for b in branches:
         line = answer_line(b)
-        too_long = line.operations > LONGEST_ANSWER
+        too_long = line.operations > LONGEST_ASKED
         if too_long or (values is not None and _hides_units(asked, b, values)):
             number = None if len(branches) > 1 or values is None else _in_numbers(asked, b, values)
             if number is None and too_long:
