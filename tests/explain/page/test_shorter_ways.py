@@ -100,7 +100,7 @@ def test_friction_is_tried_where_something_slides() -> None:
         ("clockwork-skate", "R = m Ω v + m g sin Ωt sin α"),
         ("clockwork-skate", "x = C₂ − (g/(4Ω²)) sin α cos 2Ωt + (C₁/Ω) sin Ωt"),
         ("cycloidal-pendulum", "𝐑·𝐧 = m cos(φ/2) (a φ̇² + g)"),
-        ("appell-hamel", "Accelerations that are constant: ╭───────────────────╮ │ z̈ = −g/(a² + 1) │"),
+        ("appell-hamel", "│ z̈ = −g/(a² + 1) │"),
         ("parallel-skates", "Accelerations: none; every coordinate changes uniformly."),
         ("servo", "x = C exp(−κ t) − v/κ + v t"),
         ("rocket", "As before, (9) holds."),
