@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
-from itertools import product
+from itertools import combinations, product
 
 import sympy as sp
 
@@ -50,7 +50,7 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.effort import within
-from lagrange.core.symbols import Decimal, Sign
+from lagrange.core.symbols import Decimal, Sign, Unspecified
 from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
@@ -314,6 +314,7 @@ class _Wrong:
         self.values = dict(reference.values)
         self.stated = [c for a in wrong for r in a for c in r.components]
         self.tried = WrongEquilibria(_components(wrong), e, self.values)
+        self.unspecified = any(x.atoms(Unspecified) for x in (*e.work.forces, *self.stated))
         self.at_random = AtRandom(_components(wrong), e)
 
     def reasons(self) -> Iterator[str]:
@@ -328,8 +329,13 @@ class _Wrong:
         yield from self._with_sides(s for s in others if s[0] == INVERTED)
         slots, forces = e.configuration.slots, (*e.expressions, *e.work.forces)
         variations = letter_variations(self.stated, forces, slots, (*e.forces, *e.multipliers))
+        pairs = combinations(e.forces, 2)
+        yield from self._varied(Variation(f"with {a} and {b} exchanged", "", rule={a: b, b: a}) for a, b in pairs)
+        if self.problem is not None:
+            yield from filter(None, [self.tried.of_differential(self.problem)])
         yield from self._varied(v for v in variations if v.rule and v.clause.endswith("exchanged"))
         yield from self._varied(angles_and_lengths(self.stated, e))
+        yield from self._with_sides(other_waves(self.wrong, slots.coordinates))
         if self.problem is not None and self.tried.tried:
             yield from _equilibria(self.tried.of_changed_problem(self.problem))
         bound = geometry_of(e.configuration)
@@ -342,7 +348,6 @@ class _Wrong:
             yield from self._without_factor(foreign)
         if self.problem is not None:
             yield from _equilibria(self.tried.of_one_force(self.problem))
-        yield from self._with_sides(other_waves(self.wrong, slots.coordinates))
         if self.tried.tried:
             yield from filter(None, [self.tried.of_displacement()])
         yield from filter(None, (wrong_dimension(c, self.reference.units) for c in self.stated))
@@ -357,10 +362,10 @@ class _Wrong:
 
     def _holds(self, variation: Variation) -> bool:
         """Whether they are the equilibria of the problem that is changed so."""
+        if not (self.tried.tried and self.unspecified) and not self.at_random.may_hold(variation):
+            return False
         if self.tried.tried:
             return self.tried.holds(variation)
-        if not self.at_random.may_hold(variation):
-            return False
         rule = dict(variation.rule)
         changed = [
             tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in self.wrong

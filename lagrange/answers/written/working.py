@@ -41,11 +41,14 @@ from lagrange.answers.written.notation.matrices import has_matrix, with_named_ma
 from lagrange.answers.written.notation.plain import is_rate
 from lagrange.answers.written.one_line import (
     Line,
+    each_equation_of_motion,
     finished,
     in_place_of,
     is_condition,
+    is_integral,
     lines_of,
     with_integrals,
+    without_integrals,
     without_prose,
     words_known,
 )
@@ -144,7 +147,9 @@ def understood(
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving, naming)
     answer = with_primed_names(answer, reference.parameters)
-    answer = with_integrals(answer, sorted(reference.coordinates))
+    answer = with_integrals([without_integrals(f) for f in answer], sorted(reference.coordinates))
+    if moving:
+        answer = [part for f in answer for part in each_equation_of_motion(f)]
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
@@ -252,20 +257,16 @@ class _Sorting:
             line.reading = Reading(line.text, error=error)
 
     def _not_judged(self, lines: list[Line]) -> list[Line]:
-        """The method quoted, general laws, special cases, and conditions beside equations."""
-        quotes = [line for line in lines if quotes_the_method(line.reading, line.text, self.scope)]
-        for line in quotes:
-            self._note(line, f"`{line.text}` quotes the method, and is not judged")
-        laws = [line for line in lines if self._is_general_law(line)]
-        for line in laws:
-            self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
-        quotes += laws
+        """The method quoted, general laws, integrals, special cases, and conditions beside equations."""
+        quoted = [x for x in lines if quotes_the_method(x.reading, x.text, self.scope)]
+        quotes = self._noted(quoted, "quotes the method")
+        quotes += self._noted([x for x in lines if self._is_general_law(x)], "is taken as a general law")
+        integrals = [x for x in lines if x.reading and x.reading.error and is_integral(x.text)]
+        quotes += self._noted(integrals, "is an integral")
         quotes += self._about_special_cases(_without(lines, quotes))
-        conditions = [line for line in lines if is_condition(getattr(line.fragment, "beside", ""))]
+        conditions = [x for x in lines if is_condition(getattr(x.fragment, "beside", ""))]
         if len(conditions) < len(lines):
-            for line in conditions:
-                self._note(line, f"`{line.text}` is taken as a condition, and is not judged")
-            quotes += conditions
+            quotes += self._noted(conditions, "is taken as a condition")
         return quotes
 
     def _use_other_names(self, lines: list[Line]) -> None:
@@ -362,6 +363,11 @@ class _Sorting:
     def _note(self, line: Line, message: str, code: str = "not-judged") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
         self.notes.append(Diagnostic(code, message, span, level=Severity.NOTE))
+
+    def _noted(self, lines: list[Line], what: str) -> list[Line]:
+        for line in lines:
+            self._note(line, f"`{line.text}` {what}, and is not judged")
+        return lines
 
     def _note_number(self, line: Line) -> None:
         if line.number:
@@ -536,11 +542,8 @@ class _Sorting:
         for line in lines:
             for name in undeclared(line.reading, line.text):
                 occurring.setdefault(name, []).append(line)
-        names = [
-            n
-            for n, where in occurring.items()
-            if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and is_name(n)
-        ]
+        several = (n for n, where in occurring.items() if len(where) > 1)
+        names = [n for n in several if n not in (*RESERVED, *DIFFERENTIALS) and is_name(n)]
         if not names or len(names) > 6:
             return
         symbols = {n: sp.Symbol(n, real=True) for n in names}

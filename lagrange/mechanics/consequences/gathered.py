@@ -26,6 +26,7 @@ from lagrange.mechanics.consequences.oscillations import (
     double_resonance,
     sleeping_axis,
 )
+from lagrange.mechanics.consequences.time_dependent import FastDrive, SlowChange, fast_drive, slow_change
 from lagrange.mechanics.consequences.vectors import (
     ConeVector,
     ConstantSpin,
@@ -43,7 +44,10 @@ from lagrange.mechanics.rewriting.quasi_velocities import OneWay, one_way, rates
 
 @record
 class Consequences:
-    """Constant vectors and directions, hodograph, motion in the limit, beats, resonance, what stays upright."""
+    """Constant vectors and directions, hodograph, motion in the limit, beats, resonance, what stays upright.
+
+    Under a fast drive the mean motion, and amplitudes while a length changes slowly.
+    """
 
     spins: tuple[ConstantSpin, ...]
     cone: ConeVector | None
@@ -53,6 +57,8 @@ class Consequences:
     beats: Beats | None
     resonance: DoubleResonance | None
     sleeping: SleepingAxis | None
+    drive: FastDrive | None
+    slow: SlowChange | None
 
 
 def consequences(solution: Solution, view: InCoordinates) -> Consequences:
@@ -69,6 +75,8 @@ def consequences(solution: Solution, view: InCoordinates) -> Consequences:
         beats(view.linearization, parameters),
         double_resonance(view),
         sleeping_axis(solution, view, free_letter("n", "s", "nu", taken=taken)),
+        fast_drive(view),
+        slow_change(view),
     )
 
 

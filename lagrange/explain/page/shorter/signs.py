@@ -1,0 +1,34 @@
+"""Minus signs in front of products that a sum in them takes: W (R − h) for −W (h − R), in formulas and in sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.document.derivation import Block, Display, Math, Mathematics, Part, Prose, Rule, Step
+from lagrange.mechanics.rewriting.factors import with_turned_sum
+
+_AS_COMPUTED = (Rule.CONSTRAINT, Rule.PFAFFIAN_FORM, Rule.INTEGRABILITY, Rule.DISPLACEMENTS)
+"""Forms and their coefficients, which tables and mixed derivatives repeat."""
+
+
+def with_turned_sums(steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps with fewer minus signs in front of products."""
+    for step in steps:
+        yield step if step.rule in _AS_COMPUTED else replace(step, body=tuple(map(_block, step.body)))
+
+
+def _block(b: Block) -> Block:
+    if isinstance(b, Display):
+        return b.map(lambda e: replace(e, sides=tuple(map(_side, e.sides))))
+    return replace(b, parts=tuple(map(_part, b.parts))) if isinstance(b, Prose) else b
+
+
+def _part(p: Part) -> Part:
+    return replace(p, sides=tuple(map(_side, p.sides))) if isinstance(p, Math) else p
+
+
+def _side(side: Mathematics) -> Mathematics:
+    return with_turned_sum(side) if isinstance(side, sp.Expr) else side
