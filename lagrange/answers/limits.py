@@ -140,6 +140,9 @@ MAX_OF_ONE_KIND = 6
 MAX_PAIR_WORK = 1_500
 """Numbers in the rows of equations changed by two mistakes: 250 pairs for two coordinates, each made once a problem."""
 
+MOST_OPERATIONS_LEFT = 20
+"""Of what is left of an equation whose accelerations cancel, so that it can be said in a line."""
+
 MAX_BESIDE = 150
 """Terms times squared parameters of an equation in which one change is sought although a model explains it: a
 pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes

@@ -95,6 +95,8 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     signs = {_of_product(term, known) for term in f.args}
     if len(signs) == 1:
         return signs.pop()
+    if (beyond := _of_more_than_known(f, known)) is not None:
+        return beyond
     growing = {e: 1 + sp.Dummy(positive=True) for e in f.atoms(sp.exp) if _of_product(e.args[0], known) == 1}
     if growing:
         return _of_product(_factored(sp.expand(f.xreplace(growing))), known)
@@ -102,6 +104,18 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     if roots:
         return _by_squares(f, roots.pop(), known) if len(roots) == 1 else None
     return _of_bounded(f) or _of_quadratic(f, known)
+
+
+def _of_more_than_known(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
+    """The sign of a sum that is a known one and terms of its sign: k + 3 − c + d k, where k + 3 > c."""
+    for n, p in enumerate(known):
+        if p.is_Add and {*f.args} & {*p.args}:
+            rest = f - p
+            if all(term.is_positive for term in sp.Add.make_args(rest)):
+                return 1 if n % 2 == 0 else None
+            if all(term.is_negative for term in sp.Add.make_args(rest)):
+                return -1 if n % 2 else None
+    return None
 
 
 def _of_bounded(f: sp.Expr) -> int | None:

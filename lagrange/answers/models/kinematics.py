@@ -180,6 +180,13 @@ def left_out(m: Mechanics) -> Iterator[Variation]:
         yield Variation(f"without {a}, as if {a} = 0", f"{a}", values={a: sp.S.Zero})
 
 
+def doubled(m: Mechanics) -> Iterator[Variation]:
+    """A parameter is taken twice or half as large throughout: the diameter for the radius, the whole for the half."""
+    for a in _parameters(m):
+        for factor, stands in ((sp.Rational(1, 2), f"2*{a}"), (sp.Integer(2), f"{a}/2")):
+            yield Variation(f"with {stands} in place of {a} throughout", f"what {a} is", rule={a: factor * a})
+
+
 def surface_at_rest(m: Mechanics) -> Iterator[Variation]:
     """A moving surface, f(x − u t, y, z) = c, is treated as fixed: f(x, y, z)."""
     entries = [e for row in m.configuration.rows for e in row.coefficients]

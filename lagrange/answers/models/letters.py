@@ -24,7 +24,7 @@ from lagrange.answers.limits import MAX_LETTER_VARIATIONS
 from lagrange.answers.models.mechanics import Variation
 from lagrange.answers.models.search import Models, changed_space
 from lagrange.answers.models.states import ModelState
-from lagrange.core.symbols import Slots, base, prime, t
+from lagrange.core.symbols import Bounded, Slots, base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 
@@ -58,6 +58,9 @@ def _letters(
     for a, b in combinations(used, 2):  # m_1 and m_2
         if a.name.rstrip("0123456789") == b.name.rstrip("0123456789"):
             yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
+    for p in used:
+        if isinstance(p, Bounded) and (p.low, p.high) == (0, 1):
+            yield Variation(f"with 1 - {p} in place of {p}", f"what {p} is a part of", rule={p: 1 - p})
     for q in slots.coordinates:
         yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
         if any(q in w.free_symbols for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan)):
@@ -117,7 +120,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
         more = sorted(claim.free_symbols - own - bound, key=str)
         if more and not any(base(s) in (*slots.coordinates, *slots.prescribed, t) for s in more):
-            return f"the right answer does not depend on {', '.join(map(str, more))}"
+            return f"the reaction in an arbitrary state does not depend on {', '.join(map(str, more))}"
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass
     return ""

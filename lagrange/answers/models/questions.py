@@ -283,11 +283,14 @@ class _Setting:
                 return False
             reduced = whole.coeff(v, 0) + whole.coeff(v, 2) * square + whole.coeff(v, 4) * square**2
             tested |= bool(stated) and reduced.has(*quantity.free_symbols)
+            if stated and is_zero(reduced) is True:
+                return False  # it would hold for every value
             for more in (known, stated):
                 reduced = reduced.xreplace(more)
             if reduced.has(v) or (of_function and reduced.has(base(v))) or is_zero(reduced) is not True:
                 return False
-        return tested
+        there = sp.factor(square.xreplace(dict(known)).xreplace(stated)) if stated and quantity.is_Symbol else square
+        return tested and there.is_negative is not True  # v² is negative at no place
 
 
 def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:

@@ -175,6 +175,24 @@ def without_place(fragment: Fragment, parameters: Collection[str] = ()) -> Fragm
     return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
+_AT_A_VALUE = re.compile(
+    r"\A(?P<name>[\s$&]*\\?[^\W\d_]\w{0,12})\s*(?:\\left\s*)?\(\s*(?P<value>0|\\?(?:pi|π)(?:\s*/\s*[1-9])?|-?[1-9])\s*(?:\\right\s*)?\)"
+    r"(?=\s*&?=(?!=))"
+)
+
+
+def at_a_value(fragment: Fragment) -> tuple[Fragment, sp.Expr] | None:
+    """`N(0) = ...` as N = ..., and the 0, which is the place; None if a line has no such label."""
+    match = _AT_A_VALUE.match(fragment.text)
+    if match is None:
+        return None
+    whole, _, part = match["value"].replace("π", "pi").lstrip("\\").partition("/")
+    value = (sp.pi if whole.strip() == "pi" else sp.Integer(whole)) / sp.Integer(part.strip() or 1)
+    draft = Draft(fragment)
+    draft.replace(_AT_A_VALUE, lambda m: m["name"])
+    return draft.finished(latex=is_latex(fragment)), value
+
+
 def label_of(fragment: Fragment) -> str:
     """The name on the left, spelled out: `theta_max` of `\\theta_{\\max} = ...`; empty if there is none."""
     match = _LABEL.match(fragment.text)

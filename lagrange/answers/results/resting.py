@@ -115,6 +115,8 @@ class Resting:
             equation = equation.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
+            if e == 0:
+                continue  # it says the same as another one
             free = e.free_symbols - bound - {*rule, *fixed, t}
             letters = sorted(free, key=lambda s: (s in coordinates, s not in self.equilibrium.forces, str(s)))
             waves = sorted((w for w in e.atoms(sp.sin, sp.cos) if w.args[0] in coordinates), key=str, reverse=True)
@@ -282,8 +284,8 @@ class WrongEquilibria:
         """The term of a constraint whose derivative is wrong, in a sentence; empty if not found."""
         from lagrange.answers.results.virtual_work import of_differential
 
-        rule = self.rules[0] if len(self.rules) == 1 else None
-        return "" if rule is None or not self.tried else of_differential(rule, self.resting, problem)
+        rules = [r for r in self.rules if r is not None]
+        return of_differential(rules, self.resting, problem) if self.tried else ""
 
     def of_one_force(self, problem: Problem) -> str:
         """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not

@@ -7,13 +7,13 @@ the stated forces balance, and that is one exact test for each term.
 A reaction may be taken from the balance along its own direction, as if no other reaction had a component there: the
 normal force as W cos α where a second plane, a wall or a rope acts as well.
 
-A force may be forgotten in one of the equations and counted in the others: in the balance of moments, and not in that of
-forces from which a reaction was found first.
+A force may be forgotten in one of the equations and counted in the others: in the balance of forces from which a
+reaction was found, and not in that of moments.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, product
 from typing import TYPE_CHECKING
@@ -40,7 +40,7 @@ _SLIPS = (
 )
 
 
-def of_differential(rule: Substitution, resting: Resting, problem: Problem) -> str:
+def of_differential(rules: Sequence[Substitution], resting: Resting, problem: Problem) -> str:
     """The term of a constraint whose derivative is wrong in the displacements that an answer implies, in a sentence."""
     slots = resting.slots
     for j, row in enumerate(resting.equilibrium.binding):
@@ -58,7 +58,7 @@ def of_differential(rule: Substitution, resting: Resting, problem: Problem) -> s
                         continue
                     changed = [own[i] + factor * slope if i == k else a for i, a in enumerate(own)]
                     rows = [*resting.rows[:j], changed, *resting.rows[j + 1 :]]
-                    if resting.balanced(resting.own, rule, rows):
+                    if all(resting.balanced(resting.own, rule, rows) for rule in rules):
                         shown = written(-term if term.could_extract_minus_sign() else term, slots)
                         where = f"in the differential of the constraint `{row.name}`"
                         return f"{where}, the derivative of {shown} with respect to {q} {how}"
@@ -69,7 +69,7 @@ def of_differential(rule: Substitution, resting: Resting, problem: Problem) -> s
 
 def _sums(function: sp.Expr, problem: Problem, coordinates: set[sp.Symbol]) -> Iterator[tuple[sp.Expr, ...]]:
     """A constraint as sums of terms: as it is, and, for a distance that is given, as the squares of its components."""
-    places = [Vector.zero(), *(p.position for p in (*problem.particles, *problem.bodies))]
+    places = [Vector.zero(), *(p.position for p in problem.particles), *(b.position for b in problem.bodies)]
     for one, other in combinations(places[:MOST_CONDITION_TERMS], 2):
         way = (other - one).fixed().components
         squares = tuple(c**2 for c in way if c != 0)

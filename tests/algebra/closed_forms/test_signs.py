@@ -55,6 +55,11 @@ def test_signs_are_found() -> None:
     assert sign_of(x) is None
     assert sign_of(a - b, positive=[a - b]) == 1
     assert sign_of(b - a, positive=[a - b]) == -1
+    # more than a known one
+    assert sign_of(a - b + a * c, positive=[a - b]) == 1
+    assert sign_of(b - a - 2 * c, positive=[a - b]) == -1
+    assert sign_of(b - a + c, positive=[a - b]) is None
+    assert sign_of(a - b - c, positive=[a - b]) is None
 
 
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)

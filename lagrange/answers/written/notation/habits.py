@@ -82,6 +82,14 @@ _AT_REST = re.compile(
 )
 """A condition in parentheses after the name of a motion: `steady (\\ddot\\theta = \\dot\\theta = 0)`."""
 _HALF = re.compile(r"(?<![\w\\])t(?=½\s*=)")
+_AT_PLACES = re.compile(
+    r"^(?P<label>[ \t]*(?:(?:eigen)?frequenc(?:y|ies)|Frequenz(?:en)?|ω|omega|w)\s*:)"
+    r"(?P<items>(?:[^=:;\n]{1,80}\s(?:about|around|at|near|for|um|bei|für)\s[^=:;\n]{1,40}=[^=:;\n]{1,60}(?:;|$)){1,6})",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""`frequencies: a about theta = 0; b about theta = pi`."""
+_RADIANS = re.compile(r"(?<=[0-9])(?P<unit>\s?rad)(?![A-Za-z/^])(?=[\s.,;)]|\Z)")
+"""The unit of an angle after a number, which is 1."""
 _NO_NAMES = "arcsin arccos arctan ln sgn to is of and or by at in for the with so are as eq case dt"
 _FUNCTIONS = frozenset({*FUNCTIONS, *_NO_NAMES.split()})
 
@@ -93,6 +101,9 @@ def in_usual_signs(text: str) -> str:
     text = _FUNCTION_OF_TIME.sub(lambda m: f"{m['name']}{' ' * len(m['arrow'])}", text)
     text = _AT_REST.sub(_blank, text)
     text = _HALF.sub("t_", text)
+    text = _AT_PLACES.sub(lambda m: "; ".join(f"omega = {i.strip()}" for i in m["items"].split(";") if i.strip()), text)
+    if "≈" in text or "approx" in text:
+        text = _RADIANS.sub(lambda m: " " * len(m["unit"]), text)
     if "\\" in text:
         text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
         text = _CONST.sub(r"\1} ", text)
