@@ -37,6 +37,7 @@ from lagrange.answers.written.joined_lines import has_sign_of_equality, is_mathe
 from lagrange.answers.written.lines import equations_of_line
 from lagrange.answers.written.notation.documents import (
     cells_of_row,
+    in_plain_text,
     is_list_of_dashes,
     macros_of,
     text_of_html,
@@ -62,6 +63,10 @@ _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-+*]\s+)?")
 _NUMBER = re.compile(r"(?:\(\s*(?P<round>[0-9]{1,2})\s*\)\s*|(?P<point>[0-9]{1,2})\.\s+)")
 _ENUMERATION = re.compile(r"(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\s?\)\s*")
 _LABEL = re.compile(r"[^=:\\${}()+*/^]{0,60}:(?!=)\s*")
+_LABEL_WITH_MATHEMATICS = re.compile(
+    r"(?=[^=:\\${}\n]*[^\W\d_]{2})[^=:\\${}\n<>≤≥]{1,80}(?<=[\w)]):(?!=)\s+(?=[^=:]*=)"
+)
+"""`integrating factor e^(k t): `, `(1) in (2): `: words and expressions before an equation."""
 _FENCE = re.compile(r"\s{0,3}(?:[-*+]\s+|[0-9]{1,2}[.)]\s+)?(?P<fence>`{3,}|~{3,})")
 _SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=ticks)(?!`)")
 _BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
@@ -104,7 +109,7 @@ def _found(fragment: Fragment, source: Source, ending: str) -> Iterator[Fragment
         case ".md" | ".markdown":
             yield from _in_markdown(fragment)
         case _:
-            text = without_named_letters(fragment.text)
+            text = without_named_letters(in_plain_text(fragment.text))
             yield from _in_lines(fragment if text == fragment.text else Fragment.of(text, source.name))
 
 
@@ -271,7 +276,7 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
         while next_region < len(regions) and regions[next_region].opens < end:
             in_region = rows(fragment, marks, regions[next_region])
             number, next_region = number + len(in_region), next_region + 1
-            yield from (replace(e, beside=words) for e in in_region)
+            yield from (replace(e, beside=f"{words} {e.beside}".strip()) for e in in_region)
     yield from _of_block(fragment, block, number, bullet, words, labels)
 
 
@@ -321,7 +326,9 @@ def _beginning(line: str, number: int, bullet: re.Pattern[str], labels: Collecti
         at = numbered.end()
     elif not numbered and (enumerated := _ENUMERATION.match(line, at)):
         at = enumerated.end()
-    label = None if any(map(ratios_of, re.split(r"[,;]\s", line[at:]))) else _LABEL.match(line, at)
+    if any(map(ratios_of, re.split(r"[,;]\s", line[at:]))):
+        return at
+    label = _LABEL.match(line, at) or _LABEL_WITH_MATHEMATICS.match(line, at)
     return label.end() if label else at
 
 

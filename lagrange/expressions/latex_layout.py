@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 
 from lagrange.core.diagnostics import Fragment, Span
 from lagrange.core.records import record
@@ -87,6 +87,7 @@ MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix", "sm
 _VERBATIM = ("verbatim", "verbatim*", "lstlisting", "comment", "thebibliography")
 _ARGUMENTS = re.compile(r"(?:\s?\[[a-z]{0,3}\])?(?:\s?\{[^{}=\\]{0,40}\})?")
 _WITH_ARGUMENTS = ("array", "alignat", "alignedat", "aligned", "gathered", "split")
+_WORDS = re.compile(r"\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{\s*([^{}]{1,80}?)\s*\}")
 _NUMBER = re.compile(r"\([0-9]{1,3}[a-z]?\)\Z")
 _WORD = re.compile(r"\\[a-z]+\{(?:[A-Za-z0-9_]*)\}")
 _AFTER_NUMBER = re.compile(r"[0-9](?:\s|~|\\[,;:! ])*\Z")
@@ -201,15 +202,16 @@ def has_equation(marks: Sequence[LayoutMark], region: Region) -> bool:
 def rows(fragment: Fragment, marks: Sequence[LayoutMark], region: Region) -> list[LatexFragment]:
     """The equations in one region of a text."""
     text, trim = fragment.text, _Trim(fragment.text, marks[region.first : region.last])
-    cut = [(*trim.both(start, end), equals) for start, end, equals in _cut(marks, region)]
-    parts = [(start, end, equals) for start, end, equals in cut if start < end]
+    cut = [(start, *trim.both(start, end), equals) for start, end, equals in _cut(marks, region)]
+    parts = [(start, end, equals) for _, start, end, equals in cut if start < end]
+    words = {start: " ".join(_WORDS.findall(text, first, start)) for first, start, end, _ in cut if start < end}
     joined: list[tuple[int, int, bool]] = []
     for n, (start, end, equals) in enumerate(parts):
         if joined and (not joined[-1][2] or _continues(text, *joined[-1][:2], parts[n:])):
             joined[-1] = (joined[-1][0], end, joined[-1][2] or equals)
         else:
             joined.append((start, end, equals))
-    return [piece(fragment, start, end) for start, end, _ in joined]
+    return [replace(piece(fragment, start, end), beside=words[start]) for start, end, _ in joined]
 
 
 def _continues(text: str, begun: int, ended: int, parts: Sequence[tuple[int, int, bool]]) -> bool:
@@ -307,7 +309,9 @@ class _Trim:
     def _from_the_left(self, start: int, end: int) -> int:
         n = bisect_left(self.starts, start)
         while start < end:
-            if self.text[start] in " \t\r\n&~" or self.text[start] in ",;":
+            if self.text[start] in " \t\r\n&~,;" or (
+                self.text[start] == ":" and self.text[start + 1 : start + 2] != "="
+            ):
                 start += 1
             else:
                 while n < len(self.marks) and self.starts[n] < start:
@@ -325,7 +329,7 @@ class _Trim:
             mark = self.marks[n] if n >= 0 and self.ends[n] == end else None
             if mark is not None and mark.start >= start and self._is_beside(mark):
                 end = mark.start
-            elif self.text[end - 1] in " \t\r\n&~,;.":
+            elif self.text[end - 1] in " \t\r\n&~,;.:":
                 end -= 1
             elif (number := _NUMBER.search(self.text, max(start, end - 6), end)) and self._wide_before(number.start()):
                 end = number.start()

@@ -30,6 +30,7 @@ from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
+from lagrange.answers.written.one_line import each_alternative, without_integrals
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
@@ -381,6 +382,8 @@ def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on values in numbers, each with its unit, and on everything else."""
+    answer = [part for f in answer for part in each_alternative(f)]
+    answer = [without_integrals(f) for f in answer]
     answer = [without_place(f, [p.symbol.name for p in solution.problem.parameters]) for f in answer]
     valued = values_of(solution.problem) is not None
     numbered = [(f, stated_in_numbers(f) if valued else None) for f in answer]

@@ -175,6 +175,24 @@ def without_place(fragment: Fragment, parameters: Collection[str] = ()) -> Fragm
     return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
+_AT_A_VALUE = re.compile(
+    r"\A(?P<name>[\s$&]*\\?[^\W\d_]\w{0,12})\s*(?:\\left\s*)?\(\s*(?P<value>0|\\?(?:pi|π)(?:\s*/\s*[1-9])?|-?[1-9])\s*(?:\\right\s*)?\)"
+    r"(?=\s*&?=(?!=))"
+)
+
+
+def at_a_value(fragment: Fragment) -> tuple[Fragment, sp.Expr] | None:
+    """`N(0) = ...` as N = ..., and the 0, which is the place; None if a line has no such label."""
+    match = _AT_A_VALUE.match(fragment.text)
+    if match is None:
+        return None
+    whole, _, part = match["value"].replace("π", "pi").lstrip("\\").partition("/")
+    value = (sp.pi if whole.strip() == "pi" else sp.Integer(whole)) / sp.Integer(part.strip() or 1)
+    draft = Draft(fragment)
+    draft.replace(_AT_A_VALUE, lambda m: m["name"])
+    return draft.finished(latex=is_latex(fragment)), value
+
+
 def label_of(fragment: Fragment) -> str:
     """The name on the left, spelled out: `theta_max` of `\\theta_{\\max} = ...`; empty if there is none."""
     match = _LABEL.match(fragment.text)
@@ -193,15 +211,27 @@ def written_label(fragment: Fragment) -> str:
 
 def is_used_beside(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
     """Whether the label of a line is no name of the problem and occurs in another line, which it then defines."""
-    match = _LABEL.match(fragment.text)
+    match = _LABEL.match(_SQUARE.sub(r"\1", fragment.text))
     if match is None or label_of(fragment) in reference.declared or match["name"] in reference.declared:
         return False
-    written = re.escape(written_label(fragment))
-    before = "" if written[:1] in GREEK else r"(?<![A-Za-z0-9_\\])"  # of Rω, ω is a factor
+    start = fragment.span(0, len(fragment.text)).start
+    if _DEFINES.search(fragment.whole.source.text[max(0, start - 30) : start]):
+        return True
+    name = match["written"].strip()
+    written = re.escape(name)
+    before = "" if name[:1] in GREEK else r"(?<![A-Za-z_\\])(?<![A-Za-z_][0-9])"  # of Rω, ω is a factor
     used = re.compile(rf"{before}{written}(?![A-Za-z0-9_{{])")
     rate = re.compile(rf"(?<![A-Za-z\\])d\s?{written}\s*(?:/|\}}\s*\{{)\s*d|\\dot\s*\{{?\s*{written}(?![A-Za-z0-9_])")
     others = (f.text for f in answer if f is not fragment and not rate.search(f.text))  # of dv/dt, v is the velocity
     return any(used.search(re.sub(r"\A[^=]*=", "", text)) for text in others)
+
+
+_SQUARE = re.compile(r"\A([^=]{1,30}?)(?:\^\s*\{?\s*2\s*\}?|²)(?=\s*&?=)")
+_DEFINES = re.compile(
+    r"\b(?:let|where|with|set|put|define|writing|wobei|mit|sei|avec|où|soit)(?:\s|[$}:,&\\]|\\[,;:! ])*\Z",
+    re.IGNORECASE,
+)
+"""What says that a name is defined: `where w^2 = g/l`."""
 
 
 # Chains

@@ -33,11 +33,12 @@ from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Unsuppo
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.limits import LONGEST_RUN_OF_LETTERS
 from lagrange.answers.questions.asked_quantities import check_asked, claims_of
-from lagrange.answers.questions.named_values import NOT_EQUAL, is_used_beside, label_of, sides_agree
+from lagrange.answers.questions.named_values import NOT_EQUAL, at_a_value, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.joined_lines import has_sign_of_equality
 from lagrange.answers.written.judging import is_of_motion
+from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.reading import read_as_written, tried, undeclared
 from lagrange.answers.written.statements import statement
 from lagrange.answers.written.working import Working, understood
@@ -46,7 +47,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.core.units import NO_DIMENSION
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import GREEK
+from lagrange.expressions.characters import ABOUT, GREEK
 from lagrange.expressions.edits import Draft, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import is_inequality, read_value
@@ -56,7 +57,8 @@ from lagrange.mechanics.results import Solution
 from lagrange.values.dimensions import dimension, dimensions_of_units
 
 _NAMED = re.compile(
-    r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$", re.MULTILINE
+    r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40}(?: \w{1,20}){0,5})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$",
+    re.MULTILINE,
 )
 _BETWEEN = re.compile(r"[,;]|\b(?:and|or)\b|\\(?:text|mathrm|mbox)\{\s*(?:and|or)?\s*\}|\\q?quad(?![A-Za-z])|\n")
 _COMMAND = re.compile(r"\\(?:text|mathrm|mbox)\{[^{}]*\}|\\[A-Za-z]+")
@@ -68,13 +70,11 @@ _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "
 
 def with_sign_after_names(text: str, names: Collection[str]) -> str:
     """`height: v^2/(2*g)` with `=` for the colon, for each name of a question; every place stays where it is."""
-    places = [
-        m.start("colon")
-        for m in _NAMED.finditer(text)
-        if m["name"] in names and not has_sign_of_equality(m["rest"]) and not is_inequality(Fragment.of(m["rest"]))
-    ]
-    for place in places:
-        text = f"{text[:place]}={text[place + 1 :]}"
+    for m in [*_NAMED.finditer(text)]:
+        name = "_".join(m["name"].split(" "))  # of the same length
+        if name in names and not has_sign_of_equality(m["rest"]) and not is_inequality(Fragment.of(m["rest"])):
+            place = m.start("colon")
+            text = f"{text[: m.start('name')]}{name}{text[m.end('name') : place]}={text[place + 1 :]}"
     return text
 
 
@@ -135,7 +135,8 @@ def working_beside(rest: Sequence[Fragment], answer: Sequence[Fragment], referen
     labels = {name for f in answer if (name := label_of(f))} | _SPEEDS
     values = []
     for f in rest:
-        names = {*undeclared(read_as_written(f, reference.scope_of_answers), f.text)}
+        sides = [p.finished(latex=is_latex(f)) for p in in_pairs(f)] or [f]
+        names = {n for s in sides for n in undeclared(read_as_written(s, reference.scope_of_answers), s.text)}
         if names and names <= labels:
             values.append(f)
     return values
@@ -210,21 +211,31 @@ def asked_in_text(
     answer: Sequence[Fragment], solution: Solution, *, among: Sequence[Fragment] | None = None
 ) -> AskedInText:
     """The lines that answer questions, and the others; `among`: of these lines only."""
-    questions = [a for a in solution.asked if a.answered]
+    every = [a for a in solution.asked if a.answered]
     parts: list[EquationVerdict] = []
     rest: list[Fragment] = []
     answered: set[str] = set()
     reference = reference_of_solution(solution)
     defined = understood(answer, reference).defined
     scalars = {n: e for n, e in defined.items() if n not in reference.scope.scalars}
-    wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
+
+    def with_definitions(without: str) -> Reference:
+        added = {n: e for n, e in scalars.items() if n != without}
+        return replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **added}))
+
     has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
+        fragment, questions = _at_its_place(fragment, every)
+        fragment = _with_number_as_side(fragment)
+        wider = with_definitions("")
         if _is_condition(fragment, questions, reference) or _is_condition(fragment, questions, wider):
             continue
+        own = label_of(fragment)  # of v(h) = a, v(t) = b each is the label of a value; N = 0 is about the N before it
         compared = [*_verdicts(fragment, questions, solution, reference)]
-        if scalars and not any(v.verdict is Verdict.EQUIVALENT for _, v in compared):
-            with_names = [*_verdicts(fragment, questions, solution, wider)]
+        for names in [with_definitions(own), wider] if own in scalars else [wider] if scalars else []:
+            if any(v.verdict is Verdict.EQUIVALENT for _, v in compared):
+                break
+            with_names = [*_verdicts(fragment, questions, solution, names)]
             right_so = any(v.verdict is Verdict.EQUIVALENT for _, v in with_names)
             compared = with_names if right_so else compared or with_names
         right = [(name, v) for name, v in compared if v.verdict is Verdict.EQUIVALENT]
@@ -253,13 +264,47 @@ def asked_in_text(
             parts.append(_part(fragment, *open_[0]))  # as an equation of motion it would be wrong
         else:
             rest.append(fragment)
-    missing = tuple(a.question.name for a in questions if a.question.name not in answered)
+    missing = tuple(a.question.name for a in every if a.question.name not in answered)
     if not parts:
         return AskedInText(None, tuple(rest), missing)
     verdicts = {p.verdict for p in parts}
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+
+
+_NUMBER_BESIDE = re.compile(
+    rf"(?P<exact>=[^=≈]{{1,200}}?)\s*(?P<about>{ABOUT})(?P<number>\s*[-+−]?[0-9]{{1,9}}(?:\.[0-9]{{1,9}})?)"
+    r"\s*(?:°|\^\s*\{?\s*\\circ\s*\}?|deg)?[\s.$]*\Z"
+)
+
+
+def _with_number_as_side(fragment: Fragment) -> Fragment:
+    """`theta = acos(2/3) ≈ 0.841` as theta = acos(2/3) = 0.841; a whole number, which is rounded, is left out."""
+    match = _NUMBER_BESIDE.search(fragment.text)
+    if match is None:
+        return fragment
+    draft = Draft(fragment)
+    if "." in match["number"]:
+        draft.apply([(*match.span("about"), "=")])
+    else:
+        draft.keep(0, match.end("exact"))
+    return draft.finished(latex=is_latex(fragment))
+
+
+def _at_its_place(fragment: Fragment, questions: list[Asked]) -> tuple[Fragment, list[Asked]]:
+    """`N(0) = ...` as N = ..., with the questions whose place is 0; unchanged if there are none."""
+    stated = at_a_value(fragment)
+    if stated is None:
+        return fragment, questions
+    value = stated[1]
+    there = [
+        a
+        for a in questions
+        for c in a.question.when
+        if any(c.lhs == q and c.rhs == value for q in c.lhs.free_symbols if base(q) == q)
+    ]
+    return (stated[0], there) if there else (fragment, questions)
 
 
 def _of_function(

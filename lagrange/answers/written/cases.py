@@ -63,7 +63,7 @@ _ROW = re.compile(r"\n|;|\\\\|\bwhere\b")
 _CONNECTIVE = (
     r"(?:\b(?:for|if|when|where|while|and|but|with|in\s+the\s+case|case|fall|für|wenn|falls|bei|und|pour|si|et|is|moving|then|it|so)\b"
     r"|\\(?:text|mathrm|mbox)\s*\{[^{}=]{0,40}\}|\\q?quad|(?<!\\)\\[,;: !]"
-    r"|\(?\b(?:[0-9]|[iI]{1,3}|[abAB])[):.]|[&,:.;$~]|\\\\|\s)"
+    r"|\(?\b(?:[0-9]|[iI]{1,3}|[abAB])[):.]|\((?:[^\W\d_]{2,20}[ ,]{0,2}){2,8}\)|[&,:.;$~]|\\\\|\s)"
 )
 _LAST = re.compile(
     rf"(?:{_CONNECTIVE}|[(\[]|\\left\s*[(\[]|\\\(|\b(?:while|as|when)\s(?:[^\W\d_]{{1,20}}\s){{1,6}})\Z", re.IGNORECASE

@@ -33,6 +33,9 @@ LINKING = frozenset(_LINKING_WORDS.split())
 _MATHEMATICS = re.compile(r"['^*/\\_=\u0300-\u036f′″¨˙²³½·−√()]|\d|[" + "".join(GREEK) + "]")
 _ENDS_OPEN = re.compile(r"(?:[-+*/=−·(,&]|\\cdot|\\times|\\left\()\s*\Z")
 _BEGINS_OPEN = re.compile(r"\s*(?:&\s*)?(?:[-+*/−·)]|\\cdot|\\times|=(?!=?>))")
+_COMMAND = re.compile(r"\\(?:begin|end)\s?\{[a-z]{1,12}\*?\}|\\[A-Za-z]+")
+_ENDS_MATRIX = re.compile(r"\\end\s?\{[pbBvV]?matrix\}\s*\Z")
+_BEGINS_MATRIX = re.compile(r"\s*\\begin\s?\{[pbBvV]?matrix\}")
 _BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
 _OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
 
@@ -44,7 +47,7 @@ def has_sign_of_equality(line: str) -> bool:
 
 def is_mathematics(line: str) -> bool:
     """Whether a line without `=` may be a part of an equation, and is no prose."""
-    words = [w for w in re.findall(r"[^\W\d_]{2,}", line) if w.lower() not in KNOWN]
+    words = [w for w in re.findall(r"[^\W\d_]{2,}", _COMMAND.sub(" ", line)) if w.lower() not in KNOWN]
     prose = [w for w in words if len(w) > 3 or w.lower() in LINKING]
     signs = _MATHEMATICS.search(line) or _BEGINS_OPEN.match(line)
     return signs is not None and not prose and not line.rstrip().endswith(":")
@@ -65,6 +68,7 @@ def joined_lines(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
         if parts and mathematics and (has or is_mathematics(line)):
             waits = bool(_ENDS_OPEN.search(last))
             goes_on = bool(_BEGINS_OPEN.match(line)) and not (has and equals and not _BEGINS_EQUAL.match(line))
+            goes_on |= not equals and bool(_ENDS_MATRIX.search(last) and _BEGINS_MATRIX.match(line))
             alone = not equals and has and not _MATHEMATICS.search(last)
             if ((waits and not (equals and has and not last.rstrip().endswith("="))) or goes_on) and not alone:
                 parts[-1] = (parts[-1][0], end)

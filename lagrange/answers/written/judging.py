@@ -149,7 +149,11 @@ def _without_asides(
     """The equations without approximations, and without wrong statements that are no equations of motion."""
     unchanged: tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] = (equations, verdict, [])
     wrong, working, reference = _wrong(verdict), stated.working, stated.reference
-    if not wrong or len(verdict.equations) != len(equations) or len(wrong) == len(equations):
+    if not wrong or len(verdict.equations) != len(equations):
+        return unchanged
+    if integrals := _integrals_alone(equations, verdict, check):
+        return integrals
+    if len(wrong) == len(equations):
         return unchanged
     approximations = [n for n in wrong if n in working.approximate]
     if approximations and len(approximations) < len(equations):
@@ -173,8 +177,8 @@ def _without_asides(
     if not any(_has_acceleration(e) for e in kept):
         return unchanged
     again = check(kept, False)
-    integrals = all(verdict.equations[n].diagnosis.startswith("it is a first integral") for n in about)
-    if again.verdict is not Verdict.EQUIVALENT and not (integrals and again.verdict is Verdict.INCOMPLETE):
+    special = all(_is_integral(verdict, n) or _STEADY.search(getattr(equations[n], "beside", "")) for n in about)
+    if again.verdict is not Verdict.EQUIVALENT and not (special and again.verdict is Verdict.INCOMPLETE):
         return unchanged
     diagnoses = [verdict.equations[n].diagnosis for n in about]
     notes = [
@@ -182,6 +186,40 @@ def _without_asides(
         for n, why in zip(about, diagnoses, strict=True)
     ]
     return kept, again, notes
+
+
+_STEADY = re.compile(r"\bsteady\b|\bcircular motion|\bgleichförmig|\bstationär", re.IGNORECASE)
+"""What makes an equation one about a particular motion."""
+
+
+def _is_integral(verdict: AnswerVerdict, n: int) -> bool:
+    return verdict.equations[n].diagnosis.startswith("it is a first integral")
+
+
+def _integrals_alone(
+    equations: Sequence[Fragment], verdict: AnswerVerdict, check: AnswerCheck
+) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] | None:
+    """An answer in which first integrals, `... = const`, stand for equations of motion, of which some are missing.
+
+    They are true of every motion, and so not wrong; None if anything else is wrong, or their constants are parameters.
+    """
+    wrong = _wrong(verdict)
+    if not all(_is_integral(verdict, n) and _has_free_constant(equations[n]) for n in wrong):
+        return None
+    kept = [e for n, e in enumerate(equations) if n not in wrong]
+    again = check(kept or [Fragment.of("0 = 0")], False)
+    if again.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.TRIVIAL):
+        return None
+    if again.verdict is not Verdict.EQUIVALENT:
+        again = replace(again, verdict=Verdict.INCOMPLETE, equations=again.equations if kept else ())
+    why = [verdict.equations[n].diagnosis for n in wrong]
+    return kept, again, [_note(equations[n], f"is not judged: {d}") for n, d in zip(wrong, why, strict=True)]
+
+
+def _has_free_constant(equation: Fragment) -> bool:
+    """Whether an equation contains the constant that nobody named, `const`."""
+    components = equation.reading.components if isinstance(equation, GivenEquation) else ()
+    return any(s.name == "const" for e in components for s in e.free_symbols)
 
 
 def _all_approximate(kept: Sequence[Fragment], equations: Sequence[Fragment], working: Working) -> bool:

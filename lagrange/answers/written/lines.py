@@ -15,6 +15,7 @@ from itertools import pairwise
 
 from lagrange.answers.written.cases import with_cases
 from lagrange.answers.written.joined_lines import KNOWN, LINKING, joined_lines
+from lagrange.answers.written.notation.documents import in_plain_text
 from lagrange.answers.written.notation.habits import in_usual_signs
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.numbers import with_decimal_points
@@ -54,7 +55,8 @@ _REACHED = (
 """Words between a value and its time: `x = 2 m g/k reached at t = ...`."""
 _SEPARATOR = re.compile(
     rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:at|for|bei|für|pour)\s+(?=(?:cos|sin|tan)[^=]{{1,20}}=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
-    rf"|{_BETWEEN}|{_REACHED}|{_SENTENCE}|\\n"
+    rf"|{_BETWEEN}|{_REACHED}|{_SENTENCE}|\\n|[,\s(]i\.\s?e\.,?(?=\s[^=]*=)|(?<=[\w)\]²³'])\s*(?:\.\.\.|…)(?=[^=]*=)"
+    r"|(?<=[\w)\]²³'])\.\s+(?=[(\[][^=]*=)"
 )
 _LEADS_ON = re.compile(_BETWEEN)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
@@ -77,7 +79,13 @@ _SO = re.compile(r"(?<![<>!])=[^=]{1,80}?\s(so|thus)\s(?=[^=]*=)")
 _HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
 _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}(?![^\W\d_])[\s,.:]{0,3}){1,8}\Z")  # a run of letters is one word
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
-_LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
+_LATEX_WORDS = re.compile(
+    r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)"
+    r"|[,;.]\s+(?:(?:and|so|then|thus|hence|therefore|i\.\s?e\.|which|that|this|it|gives|giving|yields|is|also|damit|also|folgt)[\s,:]+){1,4}(?=[^=]*=)"
+    r"|(?<=[\w)}\]])\.\s+(?=[A-Z][^\W\d_]+[\s,:])(?=[^=]*=)",
+    re.IGNORECASE,
+)
+"""What separates equations in a text of LaTeX without a `$`: `a = b. Then c = d, i.e. e = f`."""
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
 _I_GOT = re.compile(
     r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?|used?|took|take|set|wrote|write|started with|assumed?)\b"
@@ -224,6 +232,8 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
     pieces = cuts(text[start:end], _LATEX_WORDS) if "$" not in text else [(0, end - start)]
     for first, last in pieces:
         whole = (start + first, start + last) == (0, len(text))
+        if not whole and first:
+            first += _after_words(text[start + first : start + last], 0, last - first)
         part = fragment if whole else _part(fragment, start + first, start + last)
         yield from (replace(e, beside=words) if isinstance(e, OneEquation) else e for e in equations(part))
 
@@ -559,7 +569,7 @@ def _separated(fragment: Fragment) -> list[Fragment]:
     beside = cuts(fragment.text, _BESIDE_CONDITION)
     if len(beside) > 1 and "\n" not in fragment.text and is_inequality(first := _part(fragment, *beside[0])):
         return [first, *(e for place in beside[1:] for e in _separated(_part(fragment, *place)))]
-    if (cases := with_cases(in_usual_signs(fragment.text))) != fragment.text:
+    if (cases := with_cases(in_usual_signs(in_plain_text(fragment.text)))) != fragment.text:
         fragment = Fragment.of(cases, fragment.whole.source.name)
     if is_latex(fragment):
         fragment = replace(fragment, text=with_bracketed_arrays(fragment.text))

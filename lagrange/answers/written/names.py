@@ -68,6 +68,8 @@ _SHORT = {"th": "theta", "tht": "theta", "ph": "phi", "ps": "psi", "al": "alpha"
 _SHORT |= {"w": "omega", "W": "Omega"}
 _SHORT |= {"bet": "beta", "ga": "gamma", "gam": "gamma", "ka": "kappa", "om": "omega", "Om": "Omega", "lam": "lambda"}
 _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0,2}})(?=d{{0,2}}(?:ot)?(?![A-Za-z]))")
+_OMEGA = re.compile(r"(?<![A-Za-z0-9_])(?:\\?omega(?![A-Za-z])|ω)(?![0-9_'(₀-₉]|\s*_)")
+_DERIVED_TWICE = re.compile(r"''|\u0308|¨|ddot|″|d\s*(?:\^\s*\{?2|²)")
 _SCRIPT_L = re.compile(r"\\ell(?![A-Za-z])|ℓ")
 _MASS_TIMES_A = re.compile(r"(?<![A-Za-z_])[mM](?:_?[0-9])?\s*[*·]?\s*a(?![A-Za-z0-9_'(^])")
 _A_IS = re.compile(r"[\s$&]*a\s*&?=(?!=)(?=[^=]*(?<![A-Za-z\\])g(?![A-Za-z]))[^=]*\Z")
@@ -121,6 +123,9 @@ def other_names(
             and not _defined(name, texts)
         ):
             scalars[name] = value
+    has_w = "w" in reference.parameters and "omega" not in reference.parameters and not _defined("omega", texts)
+    if has_w and _OMEGA.search(whole) and _DERIVED_TWICE.search(whole):  # and no frequency is stated
+        scalars["omega"] = reference.parameters["w"]
     if _SCRIPT_L.search(whole) and scope.role("ell") is Role.UNDECLARED and not _defined("ell", texts):
         length = scope.scalar("l")
         scalars |= {"ell": length} if length is not None and "l" in reference.declared else {}

@@ -30,7 +30,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
-from lagrange.answers.limits import LONGEST_NUMBERING, SHORTEST_WORD
+from lagrange.answers.limits import LONGEST_NUMBERING, MOST_LISTED, SHORTEST_WORD
 from lagrange.answers.readings import GivenEquation, Reading
 from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices
@@ -40,7 +40,7 @@ from lagrange.answers.written.notation.rare import integrals_over_time
 from lagrange.answers.written.reading import too_long, without_braces
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import ABOUT, GREEK
-from lagrange.expressions.edits import Draft
+from lagrange.expressions.edits import Draft, cut, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.latex_names import LatexNames
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -53,8 +53,16 @@ _IN_BRACKETS = re.compile(
     r"\s*(?:\\left\s*)?(?:\[|\\\{)(?P<inside>[^\[\]]*=[^\[\]]*?)(?:\\right\s*)?(?:\]|\\\})\s*\Z|\s*\\(?:text)?color\s*\{[^{}\\]{0,40}\}\s*\{(?P<colour>.*=.*)\}\s*\Z"
 )
 _ABOUT = re.compile(rf"{ABOUT}|\\sim(?![A-Za-z])|~=|(?<=\s)~(?=\s)")
+_ORDER_TERM = re.compile(
+    r"\s*[-+−]\s*(?:\\mathcal\s*\{?\s*O\s*\}?|\\mathrm\s*\{\s*O\s*\}|[Oo𝒪])\s*(?:\\left\s*)?"
+    r"\((?:[^()=]|\([^()=]{0,20}\)){1,40}\)\s*\Z"
+)
+"""What is left out in an expansion, `+ O(theta^3)`."""
+_INTEGRAL = re.compile(r"(?:∫|\\o?int(?![A-Za-z])(?:\\limits)?|(?<![A-Za-z])int(?:egral)?)\s*(?:[_^₀-₉⁰-⁹]|from\b)")
+"""An integral with limits."""
+_ACCELERATION = re.compile(r"''|″|\u0308|¨|\\ddot|ddot|d\s*(?:\^\s*\{?2|²)|\\dot\s*\{?\s*\\dot")
 _LABEL = re.compile(
-    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
+    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}(?::\s*\}|\}\s*&?\s*:)"
     r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))[^:=+\\]{0,8}:"
     r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
 )
@@ -84,6 +92,7 @@ def lines_of(fragment: Fragment, declared: Collection[str]) -> list[Line]:
         return [Line(fragment, text, whole=True)]
     if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
         return [Line(in_place_of(fragment, row), row) for row in in_rows]
+    fragment = without_order_term(fragment, declared)
     draft = Draft(cleaned(fragment, declared))
     as_equation(draft, declared)
     if (item := _ITEM.match(draft.text)) and item[1] not in declared:
@@ -103,6 +112,63 @@ def lines_of(fragment: Fragment, declared: Collection[str]) -> list[Line]:
         return [Line(whole, text, number)]
     made = [finished(piece, fragment, latex) for piece in pieces]
     return [Line(m, m.text.strip(" &$\n")) for m in made]
+
+
+def without_order_term(fragment: Fragment, declared: Collection[str]) -> Fragment:
+    """`a = b + O(x^3)` as a = b, which is approximate; `a = b = c + O(x^3)` as a = b."""
+    text = fragment.text.rstrip(" .,;$")
+    order = _ORDER_TERM.search(text)
+    if order is None or "=" not in text or "O" in declared:
+        return fragment
+    latex, draft = is_latex(fragment), Draft(fragment)
+    end = text.rindex("=") if text.count("=") > 1 else order.start()
+    draft.keep(0, len(text[:end].rstrip("& ")))
+    if "$" in draft.text:
+        draft.replace(re.compile(r"\$"), " ")
+    made = draft.finished(latex=latex)
+    about = getattr(fragment, "beside", "") + ("" if text.count("=") > 1 else " approximately")
+    return replace(made, beside=about.strip()) if isinstance(made, OneEquation) else made
+
+
+def is_integral(text: str) -> bool:
+    """Whether an integral with limits occurs in a line, which is working."""
+    return _INTEGRAL.search(text) is not None
+
+
+def without_integrals(fragment: Fragment) -> Fragment:
+    """`t = \\int_a^b f dx = c` as t = c; the text itself where fewer than two sides are left."""
+    if not is_integral(fragment.text):
+        return fragment
+    places = cuts(fragment.text, _SIGN)
+    kept = [place for place in places if not is_integral(fragment.text[slice(*place)])]
+    if len(kept) < 2 or len(kept) == len(places) or not all(fragment.text[slice(*p)].strip(" &$") for p in kept):
+        return fragment
+    draft = Draft(fragment)
+    removed = [(a, b) for a, b in places if (a, b) not in kept]
+    draft.apply([(max(0, a - 1) if a else a, b if a else b + 1, "") for a, b in removed])
+    return finished(draft, fragment, is_latex(fragment))
+
+
+_SIGN = re.compile(r"(?<![<>!=:])=(?![=>])")
+
+
+def each_alternative(fragment: Fragment) -> list[Fragment]:
+    """`theta'' = a or theta'' = b` as two equations, both of which have to be right."""
+    if isinstance(fragment, GivenEquation) or not _ALTERNATIVES.search(fragment.text):
+        return [fragment]
+    places = cuts(fragment.text, _ALTERNATIVES)
+    pieces = [fragment.text[slice(*p)] for p in places]
+    if len(pieces) > MOST_LISTED or not all(_SIGN.search(p) for p in pieces):
+        return [fragment]
+    beside = getattr(fragment, "beside", "")
+    parts = [cut(fragment, *p) for p in places]
+    return [replace(p, beside=beside) if isinstance(p, OneEquation) else p for p in parts]
+
+
+def each_equation_of_motion(fragment: Fragment) -> list[Fragment]:
+    """The alternatives of a line if all have accelerations; positions of rest stay alternatives."""
+    parts = each_alternative(fragment)
+    return parts if all(_ACCELERATION.search(p.text) for p in parts) else [fragment]
 
 
 def in_place_of(fragment: Fragment, text: str) -> Fragment:

@@ -307,7 +307,7 @@ STABILITY = re.compile(
 )
 
 CONDITIONAL = re.compile(
-    r"\(\s*(?:[^()=<>≤≥]{0,40}\s)?(?:if|for|when|exists?|only|where|falls|nur|wenn|für|provided)(?![^\W\d_])"
+    r"\(\s*(?:[^()=<>≤≥]{0,40}\s)?(?:if|for|when|exists?|only|where|falls|nur|wenn|für|provided|needs?|requires?|possible|assuming|since|because|as|valid)(?![^\W\d_])"
     r"(?:[^()=]|\([^()=]{0,60}\)){0,80}[<>≤≥](?:[^()]|\([^()]{0,60}\)){1,80}\)"
 )
 """A condition of existence in parentheses after an equation, `(only if W l < c b²)`, which is not judged."""

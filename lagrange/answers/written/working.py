@@ -41,11 +41,14 @@ from lagrange.answers.written.notation.matrices import has_matrix, with_named_ma
 from lagrange.answers.written.notation.plain import is_rate
 from lagrange.answers.written.one_line import (
     Line,
+    each_equation_of_motion,
     finished,
     in_place_of,
     is_condition,
+    is_integral,
     lines_of,
     with_integrals,
+    without_integrals,
     without_prose,
     words_known,
 )
@@ -144,7 +147,9 @@ def understood(
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving, naming)
     answer = with_primed_names(answer, reference.parameters)
-    answer = with_integrals(answer, sorted(reference.coordinates))
+    answer = with_integrals([without_integrals(f) for f in answer], sorted(reference.coordinates))
+    if moving:
+        answer = [part for f in answer for part in each_equation_of_motion(f)]
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
@@ -229,7 +234,10 @@ class _Sorting:
         laws = [line for line in waiting if self._is_general_law(line)]
         for line in laws:
             self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
-        quotes += laws
+        integrals = [x for x in waiting if x.reading and x.reading.error and is_integral(x.text)]
+        for line in integrals:
+            self._note(line, f"`{line.text}` is an integral, and is not judged")
+        quotes += laws + integrals
         quotes += self._about_special_cases([line for line in waiting if not any(line is q for q in quotes)])
         conditions = [line for line in waiting if is_condition(getattr(line.fragment, "beside", ""))]
         if len(conditions) < len(waiting):

@@ -43,6 +43,10 @@ _LEFT_OUT = frozenset(("style", "script", "head", "title"))
 _BREAKS = str.maketrans({"\u00a0": " ", "\r": " "})
 
 
+_RAISED_FRACTION = re.compile(r"\^\(([0-9]{1,4})\)\s?[⁄/∕]\s?_([0-9]{1,4})")
+"""`<sup>1</sup>&frasl;<sub>4</sub>` with its tags taken out."""
+
+
 def text_of_html(html: str) -> str:
     """The text of a piece of HTML."""
     pieces: list[str] = []
@@ -64,8 +68,29 @@ def text_of_html(html: str) -> str:
             pieces.append("_")
     if not hidden:
         pieces.append(unescape(html[at:]))
-    text = "".join(pieces).translate(_BREAKS)
+    text = _RAISED_FRACTION.sub(r"(\1/\2)", "".join(pieces).translate(_BREAKS))
     return re.sub(r"\^\(\s*([0-9]{1,2})\s*\)", r"^\1", text)
+
+
+_LOOKS_LIKE_HTML = re.compile(
+    r"</(?:p|div|span|i|b|em|strong|sub|sup|li|ul|ol|td|var|code)>|<br\s?/?>|&(?:[a-z]{2,8}|#[0-9]{2,6});"
+)
+_CODE_SPAN = re.compile(r"(?<![\w`'])`(?P<code>[^`\n]*[=≈<>≤≥][^`\n]*)`(?![\w`])")
+_STRONG = re.compile(r"(?<![\w)*])(?P<mark>\*\*|__)(?=[^\W\d_])(?P<words>[^*_\n=]*[^\s*_\n=])(?P=mark)(?![\w(*])")
+
+
+def in_plain_text(text: str) -> str:
+    """The text without the marks of HTML or Markdown, where it was pasted from such a document.
+
+    Code spans and `**words**` keep their place: their marks become spaces.
+    """
+    if _LOOKS_LIKE_HTML.search(text):
+        text = text_of_html(text)
+    if "`" in text:
+        text = _CODE_SPAN.sub(lambda m: f" {m['code']} ", text)
+    if "**" in text or "__" in text:
+        text = _STRONG.sub(lambda m: f"  {m['words']}  ", text)
+    return text
 
 
 _NAMED = re.compile(r"\\\[(?P<kind>Capital|Curly)?(?P<name>[A-Z][a-z]{1,12}D?)\]")

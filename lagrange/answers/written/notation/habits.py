@@ -16,7 +16,9 @@ Whatever is omitted becomes spaces, so that every place stays where it is; an `o
 from __future__ import annotations
 
 import re
+from unicodedata import normalize
 
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
@@ -55,12 +57,53 @@ _ABOUT_AS_WELL = re.compile(
 """A number in parentheses after an exact result, `cos θ = 2/3 (θ ≈ 48.2°)`."""
 _NUMBER_AMONG_LETTERS = re.compile(r"(?<![\w\\.])(?P<word>[A-Za-z]{1,5}) (?=[2-9](?:[A-Za-z](?![A-Za-z]{2})|\())")
 """A number right before a letter, after a name: `m g 2R`. An index, `x 2`, stands alone."""
+_ITALIC = re.compile("[\u210e\U0001d400-\U0001d7ff]+")
+_GREEK = "".join(GREEK)
+_ALIAS = re.compile(
+    rf"(?P<before>^|\s)\((?P<name>[A-Za-z{_GREEK}](?:_?\w)?\s*(?:=|≡)\s*(?!pi\b)[A-Za-z{_GREEK}]\w{{0,12}})\)(?=[\s.,;]|\Z)",
+    re.MULTILINE,
+)
+"""What a letter stands for, in parentheses: `(a = alpha)`."""
+_DEFINED_BEFORE = re.compile(
+    r"^\s*(?:with|where|let|setting|writing|putting|mit|avec)\s+(?P<one>[^=:\n]{1,40}=[^=:\n<>≤≥]{1,60}):(?=\s[^\n]*[=<>≤≥])",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""`with tan(phi) = mu: P <= ...`"""
+_NAME_OF_WORDS = re.compile(
+    r"^(?P<before>[\s$]*)(?P<name>[A-Z](?:_\w{1,3})?)(?P<words>\s(?:about|of|at|for|in|along|around|through|on|round)(?:\s[a-z]{2,12}){1,4})(?=\s*=(?!=))",
+    re.MULTILINE,
+)
+"""A letter with the words that say what it is: `I about the shaft = m R^2`."""
+_FUNCTION_OF_TIME = re.compile(r"(?P<name>\b[A-Za-z]\w{0,12}\s*:=\s*)(?P<arrow>\(?\s*t\s*\)?\s*->\s*)")
+"""Maple's `v := t -> a*t`."""
+_AT_REST = re.compile(
+    r"\((?P<first>\$?\s*(?:\\d{1,2}ot\s*(?:\{\s*\\?\w+\s*\}|\\?\w+)|[^\W\d_]\w{0,8}(?:'{1,2}|[\u0307\u0308]))(?:_\w)?\s*=)"
+    r"[^()+*/^]{0,60}?(?<=[=\s])0\s*\$?\)"
+)
+"""A condition in parentheses after the name of a motion: `steady (\\ddot\\theta = \\dot\\theta = 0)`."""
+_HALF = re.compile(r"(?<![\w\\])t(?=½\s*=)")
+_AT_PLACES = re.compile(
+    r"^(?P<label>[ \t]*(?:(?:eigen)?frequenc(?:y|ies)|Frequenz(?:en)?|ω|omega|w)\s*:)"
+    r"(?P<items>(?:[^=:;\n]{1,80}\s(?:about|around|at|near|for|um|bei|für)\s[^=:;\n]{1,40}=[^=:;\n]{1,60}(?:;|$)){1,6})",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""`frequencies: a about theta = 0; b about theta = pi`."""
+_RADIANS = re.compile(r"(?<=[0-9])(?P<unit>\s?rad)(?![A-Za-z/^])(?=[\s.,;)]|\Z)")
+"""The unit of an angle after a number, which is 1."""
 _NO_NAMES = "arcsin arccos arctan ln sgn to is of and or by at in for the with so are as eq case dt"
 _FUNCTIONS = frozenset({*FUNCTIONS, *_NO_NAMES.split()})
 
 
 def in_usual_signs(text: str) -> str:
     """The text without these habits."""
+    text = _ITALIC.sub(lambda m: normalize("NFKC", m[0]), text)
+    text = _NAME_OF_WORDS.sub(lambda m: f"{m['before']}{m['name']}{' ' * len(m['words'])}", text)
+    text = _FUNCTION_OF_TIME.sub(lambda m: f"{m['name']}{' ' * len(m['arrow'])}", text)
+    text = _AT_REST.sub(_blank, text)
+    text = _HALF.sub("t_", text)
+    text = _AT_PLACES.sub(lambda m: "; ".join(f"omega = {i.strip()}" for i in m["items"].split(";") if i.strip()), text)
+    if "≈" in text or "approx" in text:
+        text = _RADIANS.sub(lambda m: " " * len(m["unit"]), text)
     if "\\" in text:
         text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
         text = _CONST.sub(r"\1} ", text)
@@ -70,6 +113,9 @@ def in_usual_signs(text: str) -> str:
             text = _LAW_IN_CHAIN.sub(_blank, text)
         text = _OR.sub(r"\\text{ or }", text)
         text = _CONDITION.sub(lambda m: m[0] if "dot" in m[0] or "'" in m[0] else _blank(m), text)
+    else:
+        text = _ALIAS.sub(lambda m: f"{m['before']};{m['name']};", text)
+        text = _DEFINED_BEFORE.sub(lambda m: f"{m[0][:-1]};", text)
     text = _OR_IN_OTHER_WORDS.sub("or", text)
     text = _CLAIM.sub(_semicolon, text)
     text = _ABOUT_AS_WELL.sub(_blank, text)

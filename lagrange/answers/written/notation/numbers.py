@@ -21,6 +21,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.core.units import unit_of
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Edit
 from lagrange.expressions.latex_names import LatexNames
 from lagrange.expressions.scope import Scope
@@ -32,6 +33,8 @@ _UNIT = re.compile(
     rf"(?P<unit>(?:{_WORD}|1)(?:\s?[/·⋅*]\s?{_WORD}|(?<=[NgJs])\s{_WORD}|\s(?:s|m|kg)(?:\^-[12]|⁻[¹²]))*)(?![A-Za-z0-9_('])"
 )
 _NAME = re.compile(r"[A-Za-zµμΩ]+")
+_TEN_TO = re.compile(r"(?<![0-9.])10\s*(?:\^|\*\*)\Z")
+"""Before the exponent of a power of ten, 3*10^2 m: other exponents have no unit."""
 _UPRIGHT = (
     r"\\(?:text|textrm|mathrm|mbox|rm|si|unit|textup)\s*\{[^{}]{1,24}(?:\{[^{}]{1,4}\}[^{}]{0,24}){0,3}\}"
     r"(?:\s*\^\s*(?:\{\s*-?[1-4]\s*\}|[1-4]))?"
@@ -66,7 +69,8 @@ def units_in_si(text: str, scope: Scope) -> Iterator[Edit]:
         names = _NAME.findall(match["unit"])
         if not names or all(_is_product(n, scope) for n in names):
             continue
-        if text[: match.start()].rstrip().endswith("/"):  # 1/2 s
+        before = text[max(0, match.start() - 8) : match.start()].rstrip()
+        if before.endswith("/") or (before.endswith(("^", "**")) and not _TEN_TO.search(before)):  # 1/2 s, R^2 Ω
             continue
         made = _in_si(match["number"], match["unit"])
         if made:
@@ -76,7 +80,7 @@ def units_in_si(text: str, scope: Scope) -> Iterator[Edit]:
 def _is_product(word: str, scope: Scope) -> bool:
     """Whether letters are a name or several of them: `mg` is a weight beside a mass and g, and no milligram."""
     names = LatexNames(scope)
-    run = names.run(word)
+    run = names.run("".join(GREEK.get(c, c) for c in word))
     return not run.several and all(names.is_declared(name) for _, name in run.pieces)
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from lagrange.answers.written.notation.numbers import units_in_si
 from lagrange.answers.written.notation.programs import as_functions
@@ -480,20 +480,44 @@ def of_argument(text: str, scope: Scope, *, bare: bool = False) -> Iterator[Edit
     bare  whether the argument may be missing: in plain text U' is the derivative with respect to time
     """
     for name, function in scope.functions.items():
+        yield from _by_index(text, name, function.arguments, scope)
         if len(function.arguments) != 1 or function.arguments == ("t",) or len(name) > 20:
             continue
         (argument,) = function.arguments
         prime = r"(?:'|′|’|\^\s*\{?\s*(?:\\prime\s*){1,3}\}?)"
         inside = rf"\(\s*{re.escape(argument)}\s*\)"
-        pattern = (
-            rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?P<primes>{prime}{{1,3}})(?:\s*{inside}){'?' if bare else ''}"
-        )
+        # in LaTeX names stand side by side, g f' and f'f'', but not in the name of a command
+        before = r"(?<![_\\])(?<!\\[A-Za-z])(?<!\\[A-Za-z]{2})(?<!\\[A-Za-z]{3})" if bare else r"(?<![A-Za-z0-9_\\])"
+        pattern = rf"{before}{re.escape(name)}\s*(?P<primes>{prime}{{1,3}})(?:\s*{inside}){'?' if bare else ''}"
         for match in re.finditer(pattern, text):
             order = len(re.findall(r"'|′|’|\\prime", match["primes"]))
             made = name
             for _ in range(order):
                 made = f"diff({made}, {argument})"
+            if (
+                text[match.start() - 1 : match.start()].isalpha()
+                and scope.role(_word_at(text, match)) is not Role.UNDECLARED
+            ):
+                continue  # the last letter of a name
             yield match.start(), match.end(), made
+
+
+def _by_index(text: str, name: str, arguments: Sequence[str], scope: Scope) -> Iterator[Edit]:
+    """`f_x` as diff(f, x), where f is a function of x."""
+    for argument in arguments:
+        if scope.role(f"{name}_{argument}") is not Role.UNDECLARED or argument == "t":
+            continue
+        index = rf"(?:{re.escape(argument)}(?![A-Za-z0-9_])|\{{\s*{re.escape(argument)}\s*\}})"
+        for match in re.finditer(rf"(?<![A-Za-z0-9_\\]){re.escape(name)}_{index}", text):
+            yield match.start(), match.end(), f"diff({name}, {argument})"
+
+
+def _word_at(text: str, match: re.Match[str]) -> str:
+    """The word that ends with the name in a match of `of_argument`."""
+    start = match.start()
+    while start and text[start - 1].isalnum():
+        start -= 1
+    return text[start : match.start()] + re.match(r"\w*", match[0])[0]  # type: ignore[index]
 
 
 # Products
