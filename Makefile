@@ -10,9 +10,9 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 p
 # Where it is set, every child process of the tests would compile all modules again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-all lint sweep bench golden picture figures gallery site lock man clean
+.PHONY: demo test test-all part-of-tests all-tests lint sweep bench golden picture figures gallery site lock man clean
 
-$(VENV)/python: pyproject.toml
+$(VENV)/made: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
 		echo "lagsolve needs Python 3.11 or later; here there is: $$(python3 --version 2>&1 || true)"; \
 		echo "Install a newer one, or say where it is: make PYTHON=/path/to/python3.12"; exit 1; fi
@@ -20,15 +20,21 @@ $(VENV)/python: pyproject.toml
 		{ echo "lagsolve needs Python 3.11 or later, and $(PYTHON) is $$($(PYTHON) --version 2>&1)"; exit 1; }
 	@$(PYTHON) -m venv $(VENV) || \
 		{ echo "$(PYTHON) cannot make an environment; on Debian: apt install python3-venv"; exit 1; }
+	@touch $@
+
+# What is imported is compiled when it is imported first: most modules of the packages never are.
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --editable
+
+$(VENV)/python: $(VENV)/made
 	@echo "installing into $(VENV), which takes some seconds"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	@$(INSTALL) .
 	@touch $@
 
 # With what the tests need.
-$(VENV)/installed: $(VENV)/python
+$(VENV)/installed: $(VENV)/made
 	@echo "installing what the tests need into $(VENV), which takes a minute or two"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	@touch $@
+	@$(INSTALL) '.[dev]'
+	@touch $(VENV)/python $@
 
 demo: $(VENV)/python
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
@@ -43,12 +49,20 @@ demo: $(VENV)/python
 # The slow tests that `make test` runs: a fortieth of them, another one every day; `make test PART=3` says which.
 PART ?= today
 PYTEST = $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
+# mypy uses one processor for half a minute, and the tests all of them: they run at the same time.
+BESIDE = @$(MAKE) --no-print-directory --jobs=2 lint
 
-test: lint
-	$(PYTEST) --part $(PART)
+test: $(VENV)/installed
+	$(BESIDE) part-of-tests
 
 # All tests.
-test-all: lint
+test-all: $(VENV)/installed
+	$(BESIDE) all-tests
+
+part-of-tests: $(VENV)/installed
+	$(PYTEST) --part $(PART)
+
+all-tests: $(VENV)/installed
 	$(PYTEST)
 
 lint: $(VENV)/installed

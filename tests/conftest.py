@@ -8,7 +8,9 @@ A test belongs to one of four tiers (`support/tiers.py`):
     slow       what else takes long, as measured
 
 `pytest` runs what it is asked to run. `make test` runs the first tier, one short test of each slow function, and a
-fortieth of the others, another one every day (`--part today`); `make test-all` runs everything.
+fortieth of the others, another one every day (`--part today`). Of the first tier, too, what is tried with every shipped
+problem is tried with those of chapter 6 and a quarter of the others, so that these are solved every fourth day.
+`make test-all` runs everything.
 """
 
 from __future__ import annotations
@@ -29,11 +31,12 @@ from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from tests.support.chance import QUICK, try_times
-from tests.support.grouping import ByProblem, longest_first, part_of
+from tests.support.grouping import ByProblem, longest_first, part_of, tried_with_many
 from tests.support.tiers import renew, representatives, tier_of
 
 HERE = Path(__file__).parent
 PARTS = 40
+QUARTERS = 4
 PROCESSOR = "processor seconds"
 
 
@@ -46,7 +49,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--part",
         metavar="N",
-        help=f"of the tests marked `truth`, `process` or `slow`, run the Nth part of {PARTS} only, or that of `today`; "
+        help=f"of the tests marked `truth`, `process` or `slow`, run part N, modulo {PARTS}, only, or that of `today`; of "
+        f"those of every shipped problem part N modulo {QUARTERS}; "
         f"Hypothesis tries at most {QUICK} examples",
     )
 
@@ -60,10 +64,11 @@ def pytest_configure(config: pytest.Config) -> None:
     said = config.getoption("--part")
     if said is None:
         return
-    if said == "today":  # is put into the option, so that processes that begin after midnight take the same
-        said = config.option.part = str(date.today().toordinal() % PARTS)
-    if not said.isdecimal() or int(said) >= PARTS:
-        raise pytest.UsageError(f"--part is `today` or a number from 0 to {PARTS - 1}, not `{said}`")
+    if said == "today":
+        said = str(date.today().toordinal())
+    if not said.isdecimal():
+        raise pytest.UsageError(f"--part is `today` or a number, not `{said}`")
+    config.option.part = str(int(said) % PARTS)  # so that processes that begin after midnight take the same
     settings.load_profile("quick")
 
 
@@ -81,15 +86,26 @@ class _Clock:
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         if report.when == "call":
-            self.seconds[report.nodeid.removeprefix("tests/")] += dict(report.user_properties).get(PROCESSOR, 0.0)
+            noted = [seconds for name, seconds in report.user_properties if name == PROCESSOR]
+            self.seconds[report.nodeid.removeprefix("tests/")] += sum(noted)  # type: ignore[arg-type]
 
     def pytest_sessionfinish(self) -> None:
         renew(self.seconds)
 
 
 @pytest.hookimpl(wrapper=True)
+def pytest_runtest_setup(item: pytest.Item) -> Iterator[None]:
+    """A fixture that is made once is counted with the test that it is made for."""
+    return (yield from _timed(item))
+
+
+@pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
-    """Notes processor seconds, those of child processes too: unlike time, they are the same on a busy machine."""
+    return (yield from _timed(item))
+
+
+def _timed(item: pytest.Item) -> Iterator[None]:
+    """Notes processor seconds, those of child processes too: unlike time, they are nearly the same on a busy machine."""
     started = sum(os.times()[:4])
     try:
         return (yield)
@@ -109,12 +125,14 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     part, left_out = config.getoption("--part"), set()
     names = [_name(item) for item in items]
     always = representatives(names) if part is not None else set()
+    many = tried_with_many(names) if part is not None else set()
     for item, name in zip(items, names, strict=True):
         tier = tier_of(name)
         if tier is not None:
             item.add_marker(tier)
-            if part is not None and name not in always and part_of(name, PARTS) != int(part):
-                left_out.add(item)
+        parts = 1 if name in always else PARTS if tier is not None else QUARTERS if name in many else 1
+        if part is not None and part_of(name, parts) != int(part) % parts:
+            left_out.add(item)
     if left_out:
         config.hook.pytest_deselected(items=[*left_out])
         names = [name for item, name in zip(items, names, strict=True) if item not in left_out]

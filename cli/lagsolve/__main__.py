@@ -14,9 +14,9 @@ def run() -> None:
     _import_nothing_from_here()
     try:
         _refuse_another_lagrange()
-        from lagrange.core.part_of_sympy import import_a_part_of_sympy
+        from lagrange.core.part_of_sympy import leave_tensors_out
 
-        import_a_part_of_sympy()
+        leave_tensors_out()
         gc.disable()  # nothing that is imported becomes garbage
         from lagsolve.main import main
 

@@ -303,7 +303,7 @@ class _Search:
         # With other accelerations it may come from several equations, and its forces be those of this one by chance.
         same = {*self.slots.accelerations} & (self.equation.free_symbols ^ derived.free_symbols) == set()
         of_forces = [term for term in terms_of(derived) or () if group_of(term, self.system) is Group.FORCE]
-        driven = self._is_driven or scale.has(sp.sin, sp.cos, sp.tan)
+        driven = self._is_driven or scale.has(sp.sin, sp.cos, sp.tan) or self.system.configuration.velocity_part != 0
         if same and of_forces and not driven and differing == {Group.INERTIA, Group.VELOCITY}:
             return Group.MOTION
         return differing.pop() if len(differing) == 1 else None
@@ -398,7 +398,7 @@ class _Search:
             if wanted is not None and state.point.arithmetic.vanishes(wanted) and len(self.terms) > 1:
                 yield 4.6, Diagnosis(None, Slip.EXTRA, term)
         reduce = state.point.arithmetic.reduce
-        for derived in self.system.equations:
+        for derived in (*self.system.equations, *self.system.accelerated_constraints):
             for term in terms_of(derived) or ():
                 residue = state.residue_kept(term)
                 ratio = None if residue is None else state.ratio(total, residue)
@@ -416,7 +416,7 @@ class _Search:
     def _holds(self, diagnosis: Diagnosis) -> bool:
         """Whether the change makes the equation correct at all states and still an equation of motion."""
         changed = self.equation - (diagnosis.term or 0) + (diagnosis.right or 0)
-        if not sp.expand(changed).free_symbols & self._accelerations:
+        if not sp.expand(changed).free_symbols & {*self._accelerations, *self.system.multipliers}:
             return False
         for state in self.states:
             taken = None if diagnosis.term is None else -diagnosis.term

@@ -412,7 +412,8 @@ def _with_reasons(
             cause = model.cause if model is not None else cause_of(change)
             force = one_sense(equation, system) if wanted and model is None else ""
             change = None if force else change
-            force = force or (explained_force(equation, attempt.candidate) if wanted and model is None else "")
+            if wanted and model is None and not force:
+                force = explained_force(equation, attempt.candidate, reference)
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
@@ -485,6 +486,18 @@ def _candidate_with_parts(equations: Sequence[sp.Expr], attempt: _Attempt, refer
     return own
 
 
+def _with_open_forces(own: ReferenceCandidate, reference: Reference) -> ReferenceCandidate | None:
+    """The system with unknown forces of constraints, where friction at several places depends on them: with one of
+    these changed, the forces of constraints are others as well."""
+    if own.models.mechanics is None or len(own.models.mechanics.frictions) < 2 or own.multipliers:
+        return None
+    coordinates = {*own.configuration.slots.coordinates}
+    for c in reference.candidates:
+        if c.multipliers and coordinates <= {*c.configuration.slots.coordinates} and c.models.mechanics is not None:
+            return c
+    return None
+
+
 def _explanations(attempt: _Attempt, reference: Reference) -> dict[int, Explanation]:
     """The models that explain wrong equations, by their numbers."""
     standings = attempt.standings
@@ -498,7 +511,10 @@ def _explanations(attempt: _Attempt, reference: Reference) -> dict[int, Explanat
     from lagrange.answers.models.search import explained
 
     equations = [e for _, e in components]
-    explanations = explained(equations, bad, _candidate_with_parts(equations, attempt, reference).models)
+    own = _candidate_with_parts(equations, attempt, reference)
+    explanations = explained(equations, bad, own.models)
+    if not any(explanations) and (open_ := _with_open_forces(own, reference)) is not None:
+        explanations = explained(equations, bad, open_.models)
     return {components[m][0]: e for m, e in reversed(list(zip(bad, explanations, strict=True))) if e is not None}
 
 

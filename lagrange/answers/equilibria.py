@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import combinations, product
 
 import sympy as sp
 
@@ -50,7 +50,7 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.effort import within
-from lagrange.core.symbols import Decimal, Sign
+from lagrange.core.symbols import Decimal, Sign, Unspecified
 from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
@@ -314,13 +314,14 @@ def _reasons(
     stated = [c for a in wrong for r in a for c in r.components]
     tried = WrongEquilibria([[c for r in a for c in r.components] for a in wrong], e, values)
 
+    unspecified = any(x.atoms(Unspecified) for x in (*e.work.forces, *stated))
     at_random = AtRandom([[c for r in a for c in r.components] for a in wrong], e)
 
     def holds(variation: Variation) -> bool:
+        if not (tried.tried and unspecified) and not at_random.may_hold(variation):
+            return False
         if tried.tried:
             return tried.holds(variation)
-        if not at_random.may_hold(variation):
-            return False
         rule = dict(variation.rule)
         changed = [
             tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong
@@ -342,12 +343,20 @@ def _reasons(
     slots, bound = e.configuration.slots, geometry_of(e.configuration)
     tied = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
     variations = letter_variations(stated, (*e.expressions, *e.work.forces), slots, (*e.forces, *e.multipliers))
+    for a, b in combinations(e.forces, 2):
+        if holds(swap := Variation(f"with {a} and {b} exchanged", "", rule={a: b, b: a})):
+            yield f"these are the equilibria {swap.clause}"
+    if problem is not None and (slip := tried.of_differential(problem)):
+        yield slip
     for variation in variations:
         if variation.rule and variation.clause.endswith("exchanged") and holds(variation):
             yield f"these are the equilibria {variation.clause}"
     for variation in angles_and_lengths(stated, e):
         if holds(variation):
             yield f"these are the equilibria {variation.clause}"
+    for sentence, sides in other_waves(wrong, slots.coordinates):
+        if right(sides):
+            yield sentence
     if problem is not None and tried.tried and (clause := tried.of_changed_problem(problem)):
         yield f"these are the equilibria {clause}"
     for variation in variations:
@@ -367,9 +376,6 @@ def _reasons(
             yield f"its right side has to be multiplied by {text(factor, Notation())}"
     if problem is not None and (clause := tried.of_one_force(problem)):
         yield f"these are the equilibria {clause}"
-    for sentence, sides in other_waves(wrong, slots.coordinates):
-        if right(sides):
-            yield sentence
     if tried.tried and (implied := tried.of_displacement()):
         yield implied
     from lagrange.answers.results.meanings import wrong_dimension

@@ -27,6 +27,7 @@ from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Unsuppo
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.diagnosis import Diagnosis, Group
+from lagrange.answers.limits import MOST_OPERATIONS_LEFT
 from lagrange.answers.models.residues import Residues, follows
 from lagrange.answers.models.search import Explanation
 from lagrange.answers.slips import Slip, terms_of
@@ -106,6 +107,8 @@ class Advisor:
         model: Explanation | None = None,
     ) -> tuple[str, ...]:
         """The hint at each level; `why` explains the verdict without a search for the mistake."""
+        if differing := self._written_out(sides):
+            return why, f"{why}: compare its two sides", differing
         if change is None and units is None and convention is None and model is None:
             return (why,) * 3
         causes = (
@@ -122,6 +125,23 @@ class Advisor:
             _sentences(first, place) or why,
             _sentences(cause, self._change(change, sides, model is not None)) or why,
         )
+
+    def _written_out(self, sides: Sequence[sp.Expr | Vector]) -> str:
+        """By what the sides of an equation differ if their accelerations cancel: one is meant to be the other, written
+        out. A sentence; empty for other equations."""
+        if len(sides) != 2:
+            return ""
+        lhs, rhs = sides
+        if isinstance(lhs, Vector) or isinstance(rhs, Vector):
+            return ""
+        accelerations = {prime(q, 2) for q in self.notation.coordinates}
+        if not lhs.free_symbols & rhs.free_symbols & accelerations:
+            return ""
+        rest = sp.expand(lhs - rhs)
+        if rest == 0 or rest.free_symbols & accelerations or sp.count_ops(rest) > MOST_OPERATIONS_LEFT:
+            return ""
+        shown = self._text(-rest if rest.could_extract_minus_sign() else rest)
+        return f"the accelerations on its two sides cancel, and {shown} is left: is the derivative carried out rightly?"
 
     def _place(self, change: Diagnosis | None) -> str:
         if change is None:

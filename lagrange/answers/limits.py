@@ -140,6 +140,9 @@ MAX_OF_ONE_KIND = 6
 MAX_PAIR_WORK = 1_500
 """Numbers in the rows of equations changed by two mistakes: 250 pairs for two coordinates, each made once a problem."""
 
+MOST_OPERATIONS_LEFT = 20
+"""Of what is left of an equation whose accelerations cancel, so that it can be said in a line."""
+
 MAX_BESIDE = 150
 """Terms times squared parameters of an equation in which one change is sought although a model explains it: a
 pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes
@@ -252,6 +255,10 @@ LONGEST_RUN_OF_LETTERS = 3
 
 LONGEST_COMPARED_REACTION = 100
 """Of a reaction at rest with which a wrong one is compared term by term."""
+
+LONGEST_REACTION_OF_ONE_BODY = 500
+"""Of a reaction as solved from the equations of one body by itself, in the coordinates of a choice, before any is
+simplified: 200 for the lower rod of a double pendulum."""
 
 MOST_AMPLITUDES = 4
 AMPLITUDE_DRAWS = 3

@@ -296,10 +296,13 @@ class StatedReactionsAtRest:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
         from lagrange.answers.models.questions import explained_value
         from lagrange.answers.results.resting import of_one_letter
+        from lagrange.answers.results.virtual_work import of_the_direction_alone
 
         for reactions in self.reactions:
             configuration = reactions.configuration
             meant = configuration.rewritten(as_written(zero).xreplace(dict(self.newton.single_forces)))
+            if why := of_the_direction_alone(meant, self.newton, configuration):
+                return why
             known = {*configuration.slots.coordinates, *self.reference.parameters.values(), *self.reference.unknowns}
             for r in self._possible(reactions):
                 if r is None or r.verified is not True or not meant.free_symbols - {*r.rule} <= known:

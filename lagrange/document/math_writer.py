@@ -120,7 +120,10 @@ class Writer:
             case sp.Add():
                 return self._sum(self.order.terms(expression.args))
             case sp.Mul() | sp.Pow() | sp.Rational() | sp.Float():
-                return self._term(split_term(expression))
+                parts = split_term(expression)
+                if self.style.by_hand and parts.negative:
+                    self._turn_difference(parts)
+                return self._term(parts)
             case sp.NumberSymbol() | sp.core.numbers.Infinity():
                 return Piece(self.style.constants.get(type(expression).__name__, str(expression)), tight=True)
             case Unspecified():
@@ -208,6 +211,15 @@ class Writer:
         if not parts.negative:
             return piece
         return Piece(self.style.sign + self._inside(piece, Precedence.SUM), Precedence.SUM)
+
+    def _turn_difference(self, parts: OrderedProduct) -> None:
+        """v sin(β − α) for −v sin(α − β): the sine or tangent of a difference of constants takes the sign."""
+        for n, (f, exponent) in enumerate(parts.above):
+            angle = f.args[0] if isinstance(f, sp.sin | sp.tan) else sp.S.Zero
+            if angle.is_Add and exponent == 1 and self.order.is_constant(angle):
+                turned = sp.Add(*(-a for a in angle.args))
+                parts.negative, parts.above[n] = False, (type(f)(turned, evaluate=False), exponent)
+                return
 
     def _split(self, above: list[BasePower], below: list[BasePower]) -> tuple[list[BasePower], ...]:
         """The factors before a fraction, above its line, and after it: m (y/x) x'', (g/l) sin θ, x²/l².

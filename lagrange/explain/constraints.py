@@ -7,7 +7,7 @@ angles, because their partial derivatives decide nothing.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -52,6 +52,7 @@ from lagrange.explain.words import brief, capital, constraints_called, counted, 
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, FrobeniusComponent
 from lagrange.mechanics.constraints.displacements import possible_displacement
+from lagrange.mechanics.rewriting.constraint_forms import integral_in_angle
 from lagrange.mechanics.rewriting.factors import without_shared_constant
 
 if TYPE_CHECKING:
@@ -75,7 +76,18 @@ def explain_factor(c: ConstraintAnalysis) -> list[Block]:
     if c.integral is None:
         return [*body, prose("The finite relation was not found in closed form.")]
     finite = Equation((c.integral, CONSTANT), label=f"integral-{c.row.name}")
-    return [*body, prose("The constraint is equivalent to the finite relation"), display(finite), _moral(form)]
+    body += [prose("The constraint is equivalent to the finite relation"), display(finite)]
+    return [*body, *_in_angle(c), _moral(form)]
+
+
+def _in_angle(c: ConstraintAnalysis) -> Iterator[Block]:
+    """The relation in the angle that was introduced, with the other coordinates in it: a curve as a book has it."""
+    relation, form = integral_in_angle(c), c.finite_form
+    if relation is None or form is None or form.restriction is None:
+        return
+    rules = (math(q, e) for q, e in form.restriction.rules if q not in relation.free_symbols)
+    yield prose("In ", math(form.restriction.angles[0].symbol), " it reads, with ", *listed(rules), ",")
+    yield display(Equation((relation, CONSTANT)))
 
 
 def _explain_restriction(restriction: Restriction) -> list[Block]:

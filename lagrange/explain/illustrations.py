@@ -78,16 +78,17 @@ def illustrated(steps: Iterable[Step], solution: Solution, notation: Notation) -
     steps = tuple(steps)
     free = solution.law is not None and bool(solution.law.newton.bodies)
     later = any(s.rule is Rule.REACTIONS for s in steps)
+    bodies = _of_free_bodies(solution, notation) if free else None
     for step in steps:
         match step.rule:
             case Rule.STATEMENT:
                 words = len([*takewhile(_is_sentence, step.body[:2])])
-                step = _with(step, words, _of_system(solution, notation, with_loads=not free))
-                if free and not later:
-                    step = _with(step, len(step.body), _of_free_bodies(solution, notation))
+                step = _with(step, words, _of_system(solution, notation, bodies))
+                if bodies is not None and not later:
+                    step = _with(step, len(step.body), bodies)
                 yield step
-            case Rule.REACTIONS if free:
-                yield _with(step, 1 if _is_sentence(step.body[0]) else 2, _of_free_bodies(solution, notation))
+            case Rule.REACTIONS if bodies is not None:
+                yield _with(step, 1 if _is_sentence(step.body[0]) else 2, bodies)
             case Rule.GENERALIZED_COORDINATES:
                 choice = next(choices, None)
                 drawn = choice is not None and _has_new(choice.coordinates, solution)
@@ -125,16 +126,25 @@ def _picture(draw: Callable[[], Scene | None], caption: tuple[Part, ...], alt: s
     return Picture(cache(drawn), caption, alt)
 
 
-def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> Picture:
+def _of_system(solution: Solution, notation: Notation, free_bodies: Picture | None) -> Picture:
+    """The system, with the applied forces where no free bodies show them; not the weights, where these cannot be drawn.
+
+    An arrow beside the system shows gravity.
+    """
+
     def draw() -> Scene | None:
         from lagrange.pictures.surfaces import has_generic_surface, surface_scene
         from lagrange.pictures.system_drawing import configuration_scene
-        from lagrange.pictures.systems import system_in_file
+        from lagrange.pictures.systems import system_in_file, without_weights
 
         if has_generic_surface(solution.own.configuration):
             return surface_scene(solution, notation)
         system = system_in_file(solution)
-        return None if system is None else configuration_scene(system, notation, with_loads)
+        if system is None:
+            return None
+        if free_bodies is not None and system.is_bare and free_bodies.draw() is None:
+            return configuration_scene(without_weights(system), notation, with_loads=True)
+        return configuration_scene(system, notation, with_loads=free_bodies is None)
 
     return _picture(draw, CAPTION_OF_SYSTEM, system_in_words(solution))
 

@@ -95,7 +95,10 @@ MOST_LINES_OF_CASES = 5
 """Conditions of rest at the head of a page, where there are several cases of which one takes more than a line."""
 
 LONGEST_ANSWER = 30
-"""The most operations of one answer, frequency or condition there."""
+"""The most operations of one frequency, condition or reaction there."""
+
+LONGEST_ASKED = 45
+"""The most operations of the answer to a question there: what is asked may take two lines."""
 
 LONGEST_ANSWER_CONDITIONS = 16
 """The most operations of the conditions beside an answer to a question."""
@@ -213,3 +216,5 @@ SHORTEST_REPEATED_LENGTH = 10
 
 MOST_PLACES = 4
 """Equilibria of which all are named beside a frequency that they share; of more only the first."""
+LONGER_SOLVED = 2
+"""Equations solved for the accelerations may take so many times the operations of equations with exceptions."""

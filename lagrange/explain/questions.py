@@ -307,7 +307,7 @@ def _answer(asked: Asked) -> Iterator[Block]:
     several = len(asked.branches) > 1
     yield prose(*_how(asked), detail=Detail.BRIEF)
     lines = [
-        replace(answer_line(b), label=answer_label(asked, n), condition=_where(b))
+        replace(answer_line(b), label=answer_label(asked, n), condition=where_it_holds(b))
         for n, b in enumerate(asked.branches, start=1)
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
@@ -362,8 +362,11 @@ def in_degrees(name: sp.Expr, angle: sp.Expr, digits: int) -> Math | None:
         return None
 
 
-def _where(b: AnswerBranch) -> tuple[Part, ...]:
-    return ("where ", *sign_conditions(b.conditions)) if b.conditions else ()
+def where_it_holds(b: AnswerBranch) -> tuple[Part, ...]:
+    """The conditions in words; that a square is not negative needs no letters."""
+    square = (math(b.lhs, sp.S.Zero, relation="≥"),) if len(b.beyond_square) < len(b.conditions) else ()
+    others = sign_conditions(b.beyond_square)
+    return ("where ", *square, *(", " if square and others else ""), *others) if square or others else ()
 
 
 def _how(asked: Asked) -> tuple[Part, ...]:

@@ -20,6 +20,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, partial, t
+from lagrange.mechanics.consequences.oscillations import between_positive_sums
 from lagrange.mechanics.limits import LONGEST_TURNING, LONGEST_TURNING_RATE
 from lagrange.mechanics.results import InCoordinates
 
@@ -31,6 +32,7 @@ class Turning:
     rate       of the velocity on its circle, if `stiffness` is None; otherwise of the axes
     stiffness  k with η'' + k η = 0 in the turning axes
     small      the parameter in which this holds to first order; None: it holds exactly
+    bounded    sides of the inequality more > less without which η grows; None where k > 0 in any case, or is not exact
     """
 
     first: sp.Symbol
@@ -39,6 +41,7 @@ class Turning:
     rate: sp.Expr
     stiffness: sp.Expr | None = None
     small: sp.Symbol | None = None
+    bounded: tuple[sp.Expr, sp.Expr] | None = None
 
 
 def turning(view: InCoordinates) -> Turning | None:
@@ -85,7 +88,9 @@ def _pair(view: InCoordinates, m: int, n: int, a: sp.Expr | None, b: sp.Expr | N
         return Turning(x, y, (a, b), textbook_form(-c))
     rate = textbook_form(-c / 2)
     if is_zero(k - other) is True:
-        pair = Turning(x, y, (a, b), rate, textbook_form(k + c**2 / 4))
+        stiffness = k + c**2 / 4
+        sides = None if stiffness.is_positive else between_positive_sums(sp.expand(stiffness))
+        pair = Turning(x, y, (a, b), rate, textbook_form(stiffness), bounded=sides)
     else:
         small = next((s for s in sorted(c.free_symbols, key=str) if _of_second_order(c, k, other, s)), None)
         if small is None:

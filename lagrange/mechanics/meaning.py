@@ -71,6 +71,16 @@ class Parts:
 
 
 @record
+class ContactEnds:
+    """The force that keeps contact is positive while velocity² `relation` square; < or >."""
+
+    force: sp.Symbol
+    velocity: sp.Symbol
+    relation: str
+    square: sp.Expr
+
+
+@record
 class ResultMeaning:
     """What the result says in one set of coordinates.
 
@@ -80,6 +90,7 @@ class ResultMeaning:
     turning   two coordinates that run on a circle, or whose oscillation turns
     freed     the equations of motion without the coordinates whose velocities constraints give
     consequences  constant vectors, limits in time, beats, resonances
+    ends      up to which velocity contact lasts
     """
 
     view: InCoordinates
@@ -91,6 +102,7 @@ class ResultMeaning:
     turning: Turning | None = None
     freed: WithEliminatedRates | None = None
     consequences: Consequences | None = None
+    ends: tuple[ContactEnds, ...] = ()
 
 
 def meaning(solution: Solution) -> ResultMeaning | None:
@@ -109,6 +121,7 @@ def meaning(solution: Solution) -> ResultMeaning | None:
         turning(view),
         without_given_rates(view),
         consequences(solution, view),
+        tuple(_ends(solution, view, reactions)),
     )
 
 
@@ -209,6 +222,9 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         if any(s in pushing and e is not None and e.is_nonpositive for s, e in values.items()):
             continue  # contact is lost
         shown = {s: e for s, e in values.items() if e is not None and count_operations(e) <= LONGEST_LIMIT}
+        still = all(e in view.configuration.slots.accelerations for e in limit)
+        if to == 0 and still and shown and not any(shown.values()):
+            continue  # nor that nothing happens without a cause
         whole = len(shown) == len(values) and sum(count_operations(e) for e in shown.values()) <= LONGEST_LIMIT
         if to == 0 and len(limit) > 1 and not (shown and whole) and _only_stops(limit, equations, view):
             continue  # nor that without forces there is no acceleration
@@ -228,6 +244,24 @@ def _pushing(solution: Solution) -> set[sp.Symbol]:
         for r in solution.law.newton.reactions
         if r.symbol_of_force is not None and (r.name in rough or r.constraint.side is not None)
     }
+
+
+def _ends(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[ContactEnds]:
+    """For one coordinate, of forces a + b q'^2 with b of one sign that no question of the file is about."""
+    slots = view.configuration.slots
+    if len(slots.coordinates) != 1 or view.signs or slots.prescribed:
+        return
+    [v] = slots.velocities
+    asked = {s for q in solution.problem.questions for c in q.when for s in (c.lhs - c.rhs).free_symbols}
+    for force in sorted(_pushing(solution) & {*reactions} - asked, key=str):
+        value = sp.expand(reactions[force])
+        factor = value.coeff(v, 2)
+        rest = sp.expand(value - factor * v**2)
+        if rest.free_symbols & {v, t, *slots.accelerations} or not (factor.is_positive or factor.is_negative):
+            continue
+        square = textbook_form(sp.cancel(-rest / factor))
+        if count_operations(square) <= LONGEST_PART and not square.is_nonpositive:
+            yield ContactEnds(force, v, ">" if factor.is_positive else "<", square)
 
 
 def _has_functions(equations: Sequence[sp.Expr]) -> bool:

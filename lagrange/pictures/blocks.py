@@ -15,8 +15,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from itertools import permutations
 
 import sympy as sp
 
@@ -39,7 +40,7 @@ _GROUND = re.compile(
     r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder)s?\b|horizontal(ly)?\b.*\b(line|surface)",
     re.IGNORECASE,
 )
-_FLOOR = re.compile(r"\b(floor|ground|table)s?\b", re.IGNORECASE)
+FLOOR = re.compile(r"\b(floor|ground|table)s?\b", re.IGNORECASE)
 _IN_PLANE = re.compile(r"\b(in|of) (a|the|its|one) (\w+ )?plane\b", re.IGNORECASE)
 _HANGING = re.compile(r"\bhang|suspended|pendulum", re.IGNORECASE)
 WALL = re.compile(r"\bwalls?\b", re.IGNORECASE)
@@ -96,13 +97,26 @@ class Blocks:
             return
         self.wedges()
         ways = {p.name: way for p in self.particles() if (way := self.way(p)) is not None}
+        stacked = self.stacks({p.name: ways[p.name] for p in self.particles() if p.name in ways and self.is_block(p)})
         for p in self.particles():
             way = ways.get(p.name)
             if self.is_block(p):
-                self.block(p, way)
+                self.block(p, way, stacked.get(p.name))
+            if p.name in stacked.values():
+                continue
             if way is not None and p.name not in self.on_wedge and self.is_carried(way):
                 self.carried.append((way, self.height(p) / 2 if p.name in self.half else 0.0))
         self.carried += [*self.wheels(), *self.feet()]
+
+    def stacks(self, ways: Mapping[str, Way]) -> dict[str, str]:
+        """The block on top of another one that moves on a parallel line, by the block below."""
+        found: dict[str, str] = {}
+        for lower, upper in permutations(ways, 2):
+            a, b = ways[lower], ways[upper]
+            rise = inner((b.at[0] - a.at[0], b.at[1] - a.at[1]), a.up)
+            if not a.is_upright and abs(inner(a.along, b.along)) > 1 - SAME_ON_PAGE and rise > HIGH / 2:
+                found.setdefault(lower, upper)
+        return found
 
     def wedges(self) -> None:
         """Wedges: particles called so, on whose sloping face another one slides by a coordinate of its own."""
@@ -148,7 +162,7 @@ class Blocks:
     def feet(self) -> Iterator[tuple[Way, float]]:
         """Where the lowest points of a weightless frame, which no constraint keeps there, move on a level floor."""
         points, page = self.system.configuration.points, self.system.page
-        if any(p.mass != 0 for p in points) or not _FLOOR.search(self.system.text):
+        if any(p.mass != 0 for p in points) or not FLOOR.search(self.system.text):
             return
         poses = (self.system.pose, *self.system.pose.others)
         ways = {p.name: [page(x.at(p.position)) for x in poses] for p in points}
@@ -171,15 +185,17 @@ class Blocks:
         yield from (p for p in self.system.configuration.points if p.name not in other)
 
     def way(self, p: MassPoint) -> Way | None:
-        """The line on which a particle moves, if one coordinate alone moves it and nothing that is drawn keeps it."""
+        """The line on which a particle moves by each of its coordinates, with nothing drawn to keep it there."""
         pose, page = self.system.pose, self.system.page
         moving = [q for q in pose.coordinates if not p.position.fixed().partial(q).is_zero]
-        if len(moving) != 1:
+        if not moving:
             return None
         with suppress(NoValueError):
-            if is_distance(pose, moving[0], p.position):
-                at = page(pose.at(p.position))
-                along = toward(at, page(pose.moved(moving[0], 1.0).at(p.position)))
+            at = page(pose.at(p.position))
+            ways = [toward(at, page(pose.moved(q, 1.0).at(p.position))) for q in moving]
+            on_line = all(abs(w[0] * ways[0][1] - w[1] * ways[0][0]) < SAME_ON_PAGE for w in ways)
+            if on_line and all(is_distance(pose, q, p.position) for q in moving):
+                along = ways[0]
                 side = left_of(along)
                 return Way(at, along, side if inner(side, self.down) <= 0 else scaled(side, -1.0))
         return None
@@ -203,7 +219,8 @@ class Blocks:
         """Whether the text calls a particle a block."""
         name = p.name.replace("_", " ")
         text = f"{self.system.problem.title} {self.system.problem.description}"
-        called = re.search(rf"\b({_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text, re.IGNORECASE)
+        weighed = re.search(rf"\b({_BLOCK})s? of mass \$?{re.escape(str(p.mass))}\b", text, re.IGNORECASE)
+        called = weighed or re.search(rf"\b({_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text, re.IGNORECASE)
         others = [q for q in self.particles() if q.mass != 0]
         return (
             p.mass != 0
@@ -222,8 +239,8 @@ class Blocks:
         pairs = [frozenset(link.ends) for link in self.system.configuration.links if p.name in link.ends]
         return HIGH if len({*pairs}) == len(pairs) else 2 * HIGH
 
-    def block(self, p: MassPoint, way: Way | None) -> None:
-        """A box: on the ground, on a plane that is drawn, or around its particle."""
+    def block(self, p: MassPoint, way: Way | None, carries: str | None) -> None:
+        """A box: on the ground, on a plane that is drawn, or around its particle; up to a block that it carries."""
         kept = self.on_wedge.get(p.name) or self.surface(p)
         on = kept or way
         at = self.system.page(self.system.pose.at(p.position))
@@ -232,7 +249,15 @@ class Blocks:
         side = left_of(up)
         height = self.height(p)
         low, high = (0.0, height) if kept is not None else (-height / 2, height / 2)
-        corners = ((WIDE / 2, low), (-WIDE / 2, low), (-WIDE / 2, high), (WIDE / 2, high))
+        left, right = WIDE / 2, -WIDE / 2
+        if carries is not None and on is not None:
+            position = next(q.position for q in self.particles() if q.name == carries)
+            x, y = self.system.page(self.system.pose.at(position))
+            high = inner((x - at[0], y - at[1]), up) - HIGH / 2
+            reach = inner((x - at[0], y - at[1]), side)
+            left, right = max(reach, 0.0) + WIDE, min(reach, 0.0) - WIDE
+            self.carried += [(Way(beyond(at, side, x), on.along, on.up), height / 2) for x in (left, right)]
+        corners = ((left, low), (right, low), (right, high), (left, high))
         self.sketch.face([beyond(beyond(at, side, x), up, y) for x, y in corners], 2, -1.0)
         if kept is None:
             self.half[p.name] = height / 2 if hangs else WIDE / 2
@@ -284,7 +309,7 @@ class Blocks:
         places = [
             self.system.page(self.system.pose.at(e)) for e in ends if not e.fixed().as_sum().free_symbols & moving
         ]
-        if WALL.search(self.system.text):
+        if WALL.search(self.system.text) and not places:
             places.append((0.0, 0.0))
         found: list[tuple[PagePoint, PagePoint | None]] = [(e, None) for e in places if self.is_on(way, e)]
         return [*found, *((at, centre) for at, centre in self.corners if self.is_on(way, at))]

@@ -16,6 +16,7 @@ import sympy as sp
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus
+from lagrange.pictures.linkages import Links
 from lagrange.pictures.poses import (
     AngleMark,
     DistanceMark,
@@ -28,7 +29,7 @@ from lagrange.pictures.poses import (
 )
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import Sketch, apart, beyond, in_line, left_of, overlapping, same_ends, toward
-from lagrange.pictures.systems import PaperMap, SystemPicture
+from lagrange.pictures.systems import ROD, PaperMap, SystemPicture
 from lagrange.problem.model import Drawn
 
 _RODS = (Drawn.RODS, Drawn.STRINGS)
@@ -51,6 +52,7 @@ class CoordinateDrawings:
     sketch: Sketch
     busy: list[tuple[PagePoint, PagePoint]]
     places: dict[str, FloatVector]
+    links: Links
     guides: list[tuple[PagePoint, PagePoint]] = field(default_factory=list)
     turning_points: list[tuple[tuple[sp.Symbol, MassPoint], FloatVector]] = field(default_factory=list)
     feet: list[PagePoint] = field(default_factory=list)
@@ -81,7 +83,7 @@ class CoordinateDrawings:
             *self.system.figure_places.values(),
         ]
         for q in list(rest):
-            if self.angle(q):
+            if self.angle_of_link(q) or self.angle(q):
                 rest.remove(q)
         for p in self.system.marked_points:
             marks = distance_marks(self.pose, rest, p.position, known)
@@ -132,6 +134,22 @@ class CoordinateDrawings:
     def is_length(self, q: sp.Symbol) -> bool:
         """Whether a coordinate is the length of a rod, which is labelled with it."""
         return any(rod.length == q for _, rod in self.system.rods)
+
+    def angle_of_link(self, q: sp.Symbol) -> bool:
+        """Mark the angle of a link where it begins; return whether it is one."""
+        for name, ends in self.links.held.items():
+            rotation = plane_rotation(self.system.configuration, name)
+            if rotation is None or len(ends) != 2:
+                continue
+            mark = angle_mark(self.pose, q, rotation.axes[0])
+            centre, end = map(self.flat, ends)
+            if mark is None or math.hypot(*mark.centre) > 1e-9:
+                continue
+            ways = [toward((0, 0), self.page.way(a)) for a in mark.arc]
+            if inner(ways[-1], toward(centre, end)) > 1 - 1e-9:
+                self.arc(q, centre, ways, ARC + 0.25 * self.arcs_at(centre))
+                return True
+        return False
 
     def angle(self, q: sp.Symbol) -> bool:
         """Mark a coordinate if it is an angle at a point; return whether it is one."""
@@ -225,6 +243,10 @@ class CoordinateDrawings:
             self.dimension(q, a, b)
             return
         self.guide(a, b)
+        for c in map(self.flat, self.places.values()):  # it begins beside a particle from which it is measured
+            beside = inner((c[0] - a[0], c[1] - a[1]), toward(a, b))
+            if alone and abs(beside) < 1e-6 < apart(a, c) and self.system.view.planar:
+                self.sketch.line([a, c], StrokeKind.REFERENCE)
         self.feet += [a, b]
         self.sketch.label_beside(q, a, b)
 
@@ -292,7 +314,7 @@ class CoordinateDrawings:
         for a, b in pairs:
             start, end = self.flat(a), self.flat(b)
             if apart(start, end) > 0.1 and not any(overlapping((start, end), other) for other in self.busy):
-                self.sketch.line([start, end], StrokeKind.LINK)
+                self.sketch.line([start, end], StrokeKind.ROD if ROD.search(self.system.text) else StrokeKind.LINK)
                 self.busy.append((start, end))
 
     def keeps_distance(self, q: tuple[sp.Symbol, MassPoint], centre: FloatVector, p: MassPoint) -> bool:

@@ -13,24 +13,35 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
-from lagrange.pictures.poses import angle_mark, relative_angle_mark
+from lagrange.pictures.poses import angle_mark, is_distance, relative_angle_mark
 from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, same_ends, toward
 from lagrange.pictures.systems import ROD, SystemPicture, is_string
 from lagrange.problem.model import Keeper, Outline
 
 _STRING = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
+_PULLEY, _PULLEYS = (re.compile(rf"\b(pulley|peg|drum){s}\b", re.IGNORECASE) for s in ("", "s"))
+LARGE_PULLEY = 2.2
+"""How wide the only pulley may be that leads a string from one level to the same, in centimetres."""
 PULLEY = 0.32
 """Radius of a pulley on the page, in centimetres."""
 CORNER = 0.2
 """Radius of a pulley at the edge of a table or plane."""
+_GUIDE = re.compile(
+    r"\b(on|along|in|inside|upon) (a|an|the|its)( [\w-]+){0,4} (rod|tube|wire|pipe|spoke|bar|groove)\b", re.IGNORECASE
+)
+"""Words for what something slides along."""
+BEARING = 0.4
+"""Height of the wedge or roller under a beam."""
 GAP = 0.22
 """Half the gap in the ground that a rope goes through."""
 
@@ -57,7 +68,7 @@ class Inferred:
             with suppress(NoValueError):
                 self.hanging()
             for p in self.particles():
-                if not self.arm(p):
+                if not self.guide(p) and not self.arm(p):
                     self.path(p)
 
     def particles(self) -> Iterator[MassPoint]:
@@ -72,6 +83,29 @@ class Inferred:
     def at(self, position: Vector) -> PagePoint:
         """A place on the page."""
         return self.system.page(self.pose.at(position))
+
+    def guide(self, p: MassPoint) -> bool:
+        """The straight rod or tube through a fixed place, which turns, and along which a particle slides."""
+        linked = {e for link in self.system.configuration.links for e in link.ends}
+        if not _GUIDE.search(self.system.text) or p.name in linked or not self.system.view.planar:
+            return False
+        poses = (self.pose, *self.pose.others)
+        later = replace(self.pose, values={**self.pose.values, t: self.pose.values.get(t, 0.0) + 0.3})
+        for q in self.pose.coordinates:
+            with suppress(NoValueError):
+                if not is_distance(self.pose, q, p.position):
+                    continue
+                starts = [x.with_zero([q]).at(p.position) for x in (*poses, later)]
+                ways = [minus(x.at(p.position), x.with_zero([q]).at(p.position)) for x in (*poses, later)]
+                turns = any(math.hypot(*outer(ways[0], w)) > SAME_ON_PAGE for w in ways)
+                if turns and all(math.dist(starts[0], s) < SAME_ON_PAGE for s in starts):
+                    start, at = self.system.page(starts[0]), self.at(p.position)
+                    end = beyond(at, toward(start, at), 0.8)
+                    self.sketch.line([start, end], StrokeKind.ROD)
+                    self.busy.append((start, end))
+                    self.pivots.append(start)
+                    return True
+        return False
 
     def arm(self, p: MassPoint) -> bool:
         """The rod or string on which a particle swings; whether it moves on a circle."""
@@ -295,7 +329,9 @@ class Inferred:
         up = (-downs[0][0], -downs[0][1])
         if abs(along[0] * up[0] + along[1] * up[1]) > SAME_ON_PAGE:
             return
-        one = apart(*tops) < 4 * PULLEY  # there is room for one pulley only, as wide as they are apart
+        text = self.system.text
+        alone = _PULLEY.search(text) and not _PULLEYS.search(text)
+        one = apart(*tops) < (LARGE_PULLEY if alone else 4 * PULLEY)
         radius = apart(*tops) / 2 if one else PULLEY
         centres = [beyond(tops[0], along, radius), beyond(tops[1], along, -radius)][: 1 if one else 2]
         for top, bottom in zip(tops, bottoms, strict=True):
@@ -355,9 +391,16 @@ def _crossing(a: PagePoint, b: PagePoint, at: PagePoint, down: PagePoint, side: 
     return None if y * v >= 0 else x + (u - x) * y / (y - v)
 
 
-def fulcrum(sketch: Sketch, at: PagePoint, down: PagePoint) -> None:
+def fulcrum(sketch: Sketch, at: PagePoint, down: PagePoint, high: float = 0.62) -> None:
     """The wedge on which a lever turns, and the ground under it."""
     side = left_of(down)
-    foot = beyond(at, down, 0.62)
-    sketch.line([at, beyond(foot, side, 0.36), beyond(foot, side, -0.36)], StrokeKind.BODY, closed=True)
-    rail(sketch, foot, down, 0.8)
+    foot, half = beyond(at, down, high), 0.58 * high
+    sketch.line([at, beyond(foot, side, half), beyond(foot, side, -half)], StrokeKind.BODY, closed=True)
+    rail(sketch, foot, down, half + 0.44 * high / 0.62)
+
+
+def roller(sketch: Sketch, at: PagePoint, down: PagePoint) -> None:
+    """A roller under the end of a beam, and the ground on which it may move."""
+    radius = BEARING / 2
+    sketch.circle(beyond(at, down, radius), radius, 1)
+    rail(sketch, beyond(at, down, BEARING), down, 1.4 * BEARING)

@@ -25,12 +25,13 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.newton import FreeBody
-from lagrange.pictures.floats import FloatVector, NoValueError, minus, plus, projected, unit, value
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, plus, projected, unit, value
 from lagrange.pictures.limits import CURVE_STEP, LONGEST_FORCE_LABEL, MOST_CURVE_STEPS
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import force_and_moment, plane_rotation, reaction_point
 from lagrange.pictures.sketch import Sketch, beyond, scaled, toward
 from lagrange.pictures.systems import SystemPicture, ends_of, with_other_values
+from lagrange.problem.keys import Outline
 from lagrange.problem.model import AppliedForce, Friction
 
 
@@ -291,6 +292,7 @@ def as_words(name: str) -> str:
 
 ARROW = 1.15
 """Length of the arrows of unit vectors and loads, in centimetres."""
+_SOLID = (Outline.BOX, Outline.DISC, Outline.SPHERE)
 
 
 class Arrows:
@@ -320,8 +322,22 @@ class Arrows:
         start = self.flat(plus(self.places[acting.on], acting.offset))
         way = toward((0.0, 0.0), self.page.way(acting.vector))
         end = beyond(start, way, ARROW)
+        if self.pushes(acting):
+            start, end = beyond(start, way, -ARROW), start
+            self.sketch.arrow(start, end, StrokeKind.FORCE)
+            self.sketch.label(acting.label, start, scaled(way, -1.0))
+            return
         self.sketch.arrow(start, end, StrokeKind.FORCE)
         self.sketch.label(acting.label, end, way)
+
+    def pushes(self, acting: Acting) -> bool:
+        """Whether a force acts on the outline of a box or a round body and points into it."""
+        shape = self.system.problem.figure.shapes.get(acting.on)
+        if shape is None or shape.kind not in _SOLID or not self.system.view.planar:
+            return False
+        inside = self.page.way(minus(NOWHERE, acting.offset))
+        way = self.page.way(acting.vector)
+        return inner(way, inside) > 0.2 * math.hypot(*way) * math.hypot(*inside)
 
     def impulses(self) -> None:
         """The blows of an impact, each as an arrow that ends where it strikes."""

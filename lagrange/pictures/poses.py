@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -52,6 +52,7 @@ _SIZES = {
     "f": 0.8,
     "k": 0.4,
 }
+BOWL = re.compile(r"\bbowl|hemispher|\btrough|\bgroove|\bcup\b", re.IGNORECASE)
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
@@ -182,8 +183,47 @@ def _guess(
         if s not in values:
             size = _size(s) * (radii if s.name[0] in "Rr" else 1.0)
             values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else size * wobble)
+    for s in _below(problem, configuration, points):
+        values[s] = -abs(values[s])
+    for s, factor in _views(configuration, points, angles, parameters):
+        values[s] = factor(values)
     undefined = {sp.Symbol(f.name, real=True): chosen[f.name] for f in problem.functions if f.name in chosen}
     return {s: chosen.get(s.name, v) for s, v in values.items()} | undefined
+
+
+def _below(problem: Problem, configuration: Configuration, points: Sequence[Vector]) -> Iterator[sp.Symbol]:
+    """The coordinates upwards of what is in a bowl about O, whose upper half its relation does not exclude."""
+    down = problem.gravity
+    if down is None or not BOWL.search(f"{problem.title} {problem.description}"):
+        return
+    for s in configuration.slots.coordinates:
+        even = [f for f in configuration.finite_constraints if sp.sympify(f, strict=True).has(s)]
+        upward = any((p.partial(s).dot(down.fixed())).could_extract_minus_sign() for p in points)
+        if upward and even and all(sp.expand(f - sp.sympify(f, strict=True).xreplace({s: -s})) == 0 for f in even):
+            yield s
+
+
+def _views(
+    configuration: Configuration, points: Sequence[Vector], angles: set[sp.Symbol], parameters: set[sp.Symbol]
+) -> Iterator[tuple[sp.Symbol, Callable[[FloatValues], float]]]:
+    """Values with which a system in space is seen well.
+
+    What turns by Ω t is seen from the side, and a helix z = b φ has a pitch with which it winds.
+    """
+    if not any(p.components[2] != 0 for p in points) or all(p.components[1] == 0 for p in points):
+        return
+    turns = {f.args[0] / t for p in points for c in p.components for f in c.atoms(TrigonometricFunction)}
+    for rate in turns & parameters:
+        yield t, lambda values, rate=rate: 1.25 / values[rate]  # type: ignore[misc]
+    heights = {p.components[2] for p in points}
+    relations = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
+    relations = [f for f in relations if any(f.free_symbols & h.free_symbols for h in heights)]
+    for term in {term for e in (*heights, *relations) for term in sp.Add.make_args(sp.expand(e))}:
+        pitch = term.free_symbols & parameters
+        turning = term.free_symbols & angles
+        if len(pitch) == len(turning) == 1 and term.free_symbols == pitch | turning and not term.atoms(sp.Function):
+            [symbol] = pitch
+            yield symbol, lambda values, symbol=symbol: 0.25 * values[symbol]  # type: ignore[misc]
 
 
 def _in_range(symbol: sp.Symbol, value: float) -> float:

@@ -64,27 +64,38 @@ def shape(pose: Pose, rotation: Rotation, reactions: Sequence[Reaction]) -> Shap
     held, at, radius = [], {}, 0.0
     for reaction in reactions:
         try:
-            lines = [*_lines(pose, rotation, reaction)]
+            lines = [*_lines((pose, *pose.others), rotation, reaction)]
+            if len(lines) < 3:
+                continue
+            point = common_point([*lines, *_turned(pose, rotation, reaction)] if not turns(lines) else lines)
         except NoValueError:
             continue
-        if len(lines) < 3:
-            continue
-        point = _common_point(lines)
         if point is not None:
             at[reaction.name] = point
             held.append(point)
-        elif _turns(lines):
+        elif turns(lines):
             distances = [math.hypot(*p) for _, p in lines]
             if min(distances) > 0.05 and max(distances) - min(distances) < SAME_SHAPE:
                 radius = max(radius, distances[0])
     return Shape(tuple(held), radius, at)
 
 
-def _lines(
+def _turned(
     pose: Pose, rotation: Rotation, reaction: Reaction
+) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """The lines of action with the body turned off its constraints, where these do not let it turn: a beam at rest.
+
+    A constraint on one point of the body has its gradient there in every position.
+    """
+    angles = rotation.axes[0].fixed().as_sum().free_symbols & {*pose.coordinates}
+    return [*_lines([pose.moved(q, by) for q in angles for by in (0.4, -0.3, 0.7)], rotation, reaction)]
+
+
+def _lines(
+    poses: Sequence[Pose], rotation: Rotation, reaction: Reaction
 ) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
     """Direction and nearest point of the line of action in several positions, along e1 and e2."""
-    for p in (pose, *pose.others):
+    for p in poses:
         line = line_of_action(*force_and_moment(p, reaction, rotation.name))
         if line is None:
             return
@@ -97,7 +108,7 @@ def _lines(
         yield direction, (inner(line.nearest, e1), inner(line.nearest, e2))
 
 
-def _common_point(
+def common_point(
     lines: Sequence[tuple[tuple[float, float], tuple[float, float]]],
 ) -> tuple[float, float] | None:
     """The point through which all lines pass."""
@@ -109,14 +120,14 @@ def _common_point(
     second = max(rows[1:], key=lambda r: abs(first[0] * r[1] - first[1] * r[0]))
     if abs(first[0] * second[1] - first[1] * second[0]) < 0.02:
         same = all(math.dist(lines[0][1], p) < SAME_SHAPE for _, p in lines)
-        return lines[0][1] if same and not _turns(lines) else None
+        return lines[0][1] if same and not turns(lines) else None
     x, y = solved([first[:2], second[:2]], [first[2], second[2]])
     if all(abs(a * x + b * y - c) < SAME_SHAPE for a, b, c in rows):
         return x, y
     return None
 
 
-def _turns(lines: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> bool:
+def turns(lines: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> bool:
     """Whether the direction of a line of action changes in the body."""
     (x, y), _ = lines[0]
     return any(abs(x * b - y * a) > 0.02 * math.hypot(x, y) * math.hypot(a, b) for (a, b), _ in lines)

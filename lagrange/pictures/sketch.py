@@ -19,6 +19,7 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.document.math_writer import UNICODE, Notation, Writer
 from lagrange.document.scene import FAINT, Box, Dot, Label, PagePoint, Polyline, Scene, StrokeKind
+from lagrange.pictures.limits import SAME_ON_PAGE
 
 PARTICLE = 0.085
 HINGE = 0.06
@@ -269,7 +270,9 @@ class Sketch:
         self.ground([beyond(at, side, half), beyond(at, side, -half)])
 
     def ground(self, points: Sequence[PagePoint]) -> None:
-        """A chain that does not move, hatched to the right of the way through it."""
+        """A chain that does not move, hatched on the right-hand side; one with what it overlaps on a line."""
+        if len(points) == 2:
+            points = self._with_grounds_on_its_line(points[0], points[1])
         self.line(points, StrokeKind.GROUND)
         start = HATCH / 2
         for a, b in pairwise(points):
@@ -280,6 +283,47 @@ class Sketch:
                 self.line([foot, beyond(beyond(foot, right, 0.13), way, -0.11)], StrokeKind.HATCH)
                 start += HATCH
             start -= length
+
+    def _with_grounds_on_its_line(self, a: PagePoint, b: PagePoint) -> tuple[PagePoint, PagePoint]:
+        """The ends of a straight ground and of those that it overlaps, which are taken out of the sketch."""
+        way = toward(a, b)
+        start, end = 0.0, apart(a, b)
+        kept: list[Polyline] = []
+        replaced = False
+        for line in self.lines:
+            if line.kind is StrokeKind.HATCH and replaced:
+                continue  # the hatches of a ground follow it
+            replaced = False
+            if line.kind is StrokeKind.GROUND and len(line.points) == 2:
+                offsets = [(p[0] - a[0], p[1] - a[1]) for p in line.points]
+                across = max(abs(x * way[1] - y * way[0]) for x, y in offsets)
+                low, high = (x * way[0] + y * way[1] for x, y in offsets)
+                replaced = across < SAME_ON_PAGE and low < high and low < end and start < high
+                if replaced:
+                    start, end = min(start, low), max(end, high)
+            if not replaced:
+                kept.append(line)
+        self.lines = kept
+        return beyond(a, way, start), beyond(a, way, end)
+
+    def join_corner(self) -> None:
+        """Prolong a wall and a floor to where they meet, if they are the only grounds, at a right angle and apart."""
+        grounds = [line.points for line in self.lines if line.kind is StrokeKind.GROUND]
+        if len(grounds) != 2 or any(len(points) != 2 for points in grounds):
+            return
+        (a, b), (c, d) = grounds
+        first, second = toward(a, b), toward(c, d)
+        if abs(first[0] * second[0] + first[1] * second[1]) > SAME_ON_PAGE:
+            return
+        reach = (c[0] - a[0]) * first[0] + (c[1] - a[1]) * first[1]
+        back = (a[0] - c[0]) * second[0] + (a[1] - c[1]) * second[1]
+        corner = beyond(a, first, reach)
+        for (start, end), at in (((a, b), reach), ((c, d), back)):
+            if 0 < at < apart(start, end):
+                return  # they cross
+        for start, end in ((a, b), (c, d)):
+            near, far = sorted((start, end), key=lambda p: apart(p, corner))
+            self.ground([corner, far] if near == start else [far, corner])
 
     def dimension(self, a: PagePoint, b: PagePoint) -> None:
         """The line of a length, with a stroke across each of its ends."""

@@ -18,6 +18,7 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from itertools import permutations, product
 
 import sympy as sp
@@ -28,15 +29,16 @@ from lagrange.core.vectors import Vector
 from lagrange.document.names import Notation
 from lagrange.document.scene import PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.declared import patch
-from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, place, plus, solved, unit
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, place, plus, projected, unit
 from lagrange.pictures.limits import SAME_PLACE
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.sketch import PARTICLE, Sketch, toward
 from lagrange.pictures.systems import SystemPicture
 from lagrange.pictures.views import View, view
-from lagrange.problem.keys import Keeper
+from lagrange.problem.keys import Keeper, Outline
 from lagrange.problem.model import Friction
 
 _HALF_PATCH, _PIECES_OF_PATCH = 1.9, 16
@@ -272,14 +274,23 @@ def constraints_in_space(system: SystemPicture) -> InSpace:
     """The surface or the curve of every particle that is kept on one, and the tables on which others move."""
     grids, curves, tables = [], [], []
     for p in system.configuration.points if system.is_bare and not system.view.planar else ():
-        if p.mass == 0 or any(r.name == p.name for r in system.configuration.rotations):
+        rotation = next((r for r in system.configuration.rotations if r.name == p.name), None)
+        if rotation is not None:
+            with suppress(NoValueError):
+                low = _lowest(system, p, rotation)
+                if low is not None and _TABLE.search(system.text):
+                    tables.append(_table_under(system.pose.at(p.position), low))
+            continue
+        if p.mass == 0:
             continue
         with suppress(NoValueError):
-            fields, here = _fields(system, p), system.pose.at(p.position)
-            if len(fields) == 2:
-                curves.append(curve(fields, here))
-            elif len(fields) == 1:
-                grids.append(surface(fields[0], here))
+            relations, own = _relations(system, p)
+            here = system.pose.at(p.position)
+            if len(relations) == 2:
+                curves.append(curve(system.pose, relations, own, p.position))
+            elif len(relations) == 1:
+                field = _field(relations[0], own, p.position.fixed().components, system.pose)
+                grids.append(surface(field, here))
             elif _is_on_table(system, p):
                 tables.append(_table(here))
     return InSpace(tuple(grids), tuple(curves), tuple(tables))
@@ -299,13 +310,33 @@ def _table(here: FloatVector) -> list[FloatVector]:
     return [(a * reach, b * reach, here[2]) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
 
 
-def _fields(system: SystemPicture, p: MassPoint) -> list[Field]:
-    """The relations on a particle alone, as functions of its place; none if it has other coordinates than its own."""
+def _lowest(system: SystemPicture, p: MassPoint, rotation: Rotation) -> float | None:
+    """The height of the lowest point of a disc or sphere that rolls on one level; None for any other body."""
+    shape = system.problem.figure.shapes.get(p.name)
+    if shape is None or shape.kind not in (Outline.DISC, Outline.RING, Outline.SPHERE):
+        return None
+    axis = rotation.axes[rotation.inertia.symmetry_axis] if shape.axis is None else shape.axis
+    heights = []
+    for pose in (system.pose, *system.pose.others):
+        upright = 1.0 if shape.kind is Outline.SPHERE else math.sqrt(max(1 - pose.at(axis)[2] ** 2, 0.0))
+        heights.append(pose.at(p.position)[2] - abs(pose.number(shape.lengths[0])) * upright)
+    moves = math.dist(system.pose.at(p.position), system.pose.others[0].at(p.position)) if system.pose.others else 0.0
+    return heights[0] if moves > SAME_PLACE and max(heights) - min(heights) < SAME_PLACE else None
+
+
+def _table_under(here: FloatVector, low: float) -> list[FloatVector]:
+    """The corners of a flat piece of a horizontal plane under a body, as far as O."""
+    reach = 1.3 * max(abs(here[0]), abs(here[1]), abs(here[2] - low))
+    return [(here[0] + a * reach, here[1] + b * reach, low) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+
+
+def _relations(system: SystemPicture, p: MassPoint) -> tuple[list[sp.Expr], list[sp.Symbol]]:
+    """The relations on a particle alone, and its coordinates; none if it has not three coordinates of its own."""
     components = p.position.fixed().components
     own = [q for q in system.pose.coordinates if any(c.has(q) for c in components)]
+    found: list[sp.Expr] = []
     if len(own) != 3:
-        return []
-    fields = []
+        return found, own
     for row in system.configuration.rows:
         reaction = next((r for r in system.newton.reactions if r.name == row.name), None)
         if row.finite is None or reaction is None:
@@ -315,9 +346,9 @@ def _fields(system: SystemPicture, p: MassPoint) -> list[Field]:
         if not moving & {*own}:
             continue
         if not moving <= {*own} or system.is_rod(reaction) or reaction.constraint.by in (Keeper.ROD, Keeper.STRING):
-            return []
-        fields.append(_field(f, own, components, system.pose))
-    return fields
+            return [], own
+        found.append(f)
+    return found, own
 
 
 def _field(f: sp.Expr, own: Sequence[sp.Symbol], components: Sequence[sp.Expr], pose: Pose) -> Field:
@@ -398,52 +429,77 @@ def _is_turned(f: Field, here: FloatVector, size: float) -> bool:
 
 def _profile(f: Field, here: FloatVector, size: float) -> list[tuple[float, float]]:
     """Distance from the axis and height along the profile, from the axis, or from as far below, beyond the particle."""
-    radius, height = math.hypot(here[0], here[1]), here[2]
+    radius = math.hypot(here[0], here[1])
     out = (here[0] / radius, here[1] / radius, 0.0)
-    step = size / 40
-    ends: list[list[tuple[float, float]]] = []
-    for sense in (1.0, -1.0):
-        at, points = here, [(radius, height)]
-        for _ in range(120):
-            slope = _slope(f, at, size)
-            r, z = inner(slope, out), slope[2]
-            norm = math.hypot(r, z)
-            if norm < 1e-9:
-                break
-            tangent = plus((0.0, 0.0, sense * r / norm), out, -sense * z / norm)
-            with suppress(NoValueError):
-                moved = _onto(f, plus(at, tangent, step), plus((0.0, 0.0, z / norm), out, r / norm), size)
-                distance = inner(moved, out)
-                if distance < 0:
-                    points.append((0.0, points[-1][1] + (moved[2] - points[-1][1]) / 2))
-                    break
-                points.append((distance, moved[2]))
-                at = moved
-                reached = math.hypot(distance - radius, moved[2] - height)
-                wider = distance - radius
-                limit = 0.2 if wider > 0.05 * reached else 2.5 if wider < -0.05 * reached else 0.6
-                if reached > limit * size:
-                    break
-                continue
+    around = _half_profile(f, here, out, size, 1.0, closed=True)
+    if around[-1] == around[0]:
+        return _chosen(around)
+    up, down = (_half_profile(f, here, out, size, sense, closed=False) for sense in (1.0, -1.0))
+    return _chosen([*reversed(down[1:]), *up])
+
+
+def _half_profile(
+    f: Field, here: FloatVector, out: FloatVector, size: float, sense: float, *, closed: bool
+) -> list[tuple[float, float]]:
+    """The profile to one side of the particle, as far as is shown; `closed`: far enough to come back, as on a torus."""
+    radius, height, step = inner(here, out), here[2], size / 40
+    at, points = here, [(radius, height)]
+    for _ in range(300 if closed else 120):
+        slope = _slope(f, at, size)
+        r, z = inner(slope, out), slope[2]
+        norm = math.hypot(r, z)
+        if norm < 1e-9:
             break
-        ends.append(points)
-    points = [*reversed(ends[1][1:]), *ends[0]]
+        tangent = plus((0.0, 0.0, sense * r / norm), out, -sense * z / norm)
+        try:
+            at = _onto(f, plus(at, tangent, step), plus((0.0, 0.0, z / norm), out, r / norm), size)
+        except NoValueError:
+            break
+        distance = inner(at, out)
+        if distance < 0:
+            points.append((0.0, points[-1][1] + (at[2] - points[-1][1]) / 2))
+            break
+        points.append((distance, at[2]))
+        reached, wider = math.hypot(distance - radius, at[2] - height), distance - radius
+        if closed and len(points) > 5 and reached < 0.9 * step:
+            return [*points, points[0]]
+        limit = 0.2 if wider > 0.05 * reached else 2.5 if wider < -0.05 * reached else 0.6
+        if not closed and reached > limit * size:
+            break
+    return points
+
+
+def _chosen(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """As many points of a profile as a surface has pieces."""
     chosen = [round(n * (len(points) - 1) / _STEPS) for n in range(_STEPS + 1)]
     return [points[n] for n in chosen] if len(points) > _STEPS else points
 
 
-def curve(fields: Sequence[Field], here: FloatVector) -> list[FloatVector]:
-    """The curve on which two relations hold, to both sides of the particle, or around until it closes."""
-    size = max(math.hypot(*here), 1e-3)
+def curve(pose: Pose, relations: Sequence[sp.Expr], own: Sequence[sp.Symbol], position: Vector) -> list[FloatVector]:
+    """The curve on which two relations between three coordinates hold, to both sides, or around until it closes.
+
+    It is followed in the coordinates, which may be angles and go on beyond a turn. Raises NoValueError.
+    """
+    slopes = [[f.diff(q) for q in own] for f in relations]
+    here = pose.at(position)
+    size, radius = max(math.hypot(*here), 1e-3), math.hypot(here[0], here[1])
     step = size / 30
     halves = []
     for sense in (1.0, -1.0):
-        at, points = here, [here]
+        reached, points, winds = pose, [here], radius > SAME_PLACE
         for n in range(_LONG):
-            slopes = [_slope(f, at, size) for f in fields]
-            way = unit(outer(slopes[0], slopes[1]))
-            at = _back(fields, plus(at, way, sense * step), size)
-            if math.dist(at, (0.0, 0.0, 0.0)) > 1.25 * size:
+            first, second = ([reached.number(e) for e in row] for row in slopes)
+            way = outer((first[0], first[1], first[2]), (second[0], second[1], second[2]))
+            ahead = _along(reached, own, unit(way), 1e-4)
+            speed = math.dist(ahead.at(position), points[-1]) / 1e-4
+            if speed < 1e-9:
+                raise NoValueError("the curve has no direction")
+            moved = _along(reached, own, unit(way), sense * step / speed)
+            values = projected(relations, slopes, own, moved.values)
+            reached = replace(reached, values={**reached.values, **values})
+            at = reached.at(position)
+            winds = winds and abs(math.hypot(at[0], at[1]) - radius) < SAME_PLACE * size  # about k, as a helix does
+            if math.dist(at, (0.0, 0.0, 0.0)) > (2.4 if winds else 1.25) * size:
                 break
             points.append(at)
             if n > 5 and math.dist(at, here) < 0.9 * step:
@@ -452,17 +508,5 @@ def curve(fields: Sequence[Field], here: FloatVector) -> list[FloatVector]:
     return [*reversed(halves[1][1:]), *halves[0]]
 
 
-def _back(fields: Sequence[Field], at: FloatVector, size: float) -> FloatVector:
-    """The place at which both relations hold, near another one. Raises NoValueError."""
-    for _ in range(20):
-        off = [f(at) for f in fields]
-        slopes = [_slope(f, at, size) for f in fields]
-        gram = [[inner(a, b) for b in slopes] for a in slopes]
-        weights = solved(gram, off)
-        moved = at
-        for w, s in zip(weights, slopes, strict=True):
-            moved = plus(moved, s, -w)
-        if math.dist(moved, at) < SAME_PLACE * size:
-            return moved
-        at = moved
-    raise NoValueError("the curve ends")
+def _along(pose: Pose, own: Sequence[sp.Symbol], way: FloatVector, by: float) -> Pose:
+    return replace(pose, values={**pose.values, **{q: pose.values[q] + by * w for q, w in zip(own, way, strict=True)}})

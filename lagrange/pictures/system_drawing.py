@@ -22,12 +22,14 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.blocks import WALL, Blocks, mark_slopes
+from lagrange.pictures.bearings import bearing, slots
+from lagrange.pictures.blocks import FLOOR, WALL, Blocks, mark_slopes
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
+from lagrange.pictures.linkages import links
 from lagrange.pictures.loads import ARROW, Arrows, as_words, constraint_curve
 from lagrange.pictures.poses import angle_mark
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
@@ -85,11 +87,18 @@ class _Drawing:
         self.origin = self.page((0.0, 0.0, 0.0))
         self.mounts: list[PagePoint] = []
         self.busy: list[tuple[PagePoint, PagePoint]] = []
+        self.links = links(system)
+        self.slots: tuple[str, ...] = ()
 
     def all(self, with_loads: bool, with_inferred: bool) -> None:
         declared = DeclaredParts(self.system, self.sketch, self.busy)
         declared.all()
         self.rods()
+        for ends in self.links.rods if "constraints" not in self.hidden else ():
+            start, end = map(self.flat, ends)
+            self.sketch.line([start, end], StrokeKind.ROD)
+            self.busy.append((start, end))
+            self.sketch.hinge(start)
         inferred = Inferred(self.system, self.sketch, self.busy)
         if with_inferred:
             inferred.all()
@@ -99,9 +108,12 @@ class _Drawing:
         blocks = Blocks(self.system, self.sketch, self.busy, self.downward, inferred.corners)
         if with_inferred:
             blocks.boxes()
+        self.slots = slots(self.system, self.sketch) if with_inferred and "constraints" not in self.hidden else ()
         self.bodies(drawn=blocks.half)
         if with_inferred:
             blocks.grounds()
+        if with_inferred and WALL.search(self.system.text) and FLOOR.search(self.system.text):
+            self.sketch.join_corner()
         springs = SpringsDampers(self.system, self.sketch, self.busy)
         springs.draw(blocks.half)
         self.mounts += list(dict.fromkeys(at for at, _ in springs.mounted))
@@ -117,9 +129,11 @@ class _Drawing:
             arrows.loads()
         arrows.impulses()
         declared.marks()
+        for first, second, length in self.links.lengths(self.system):
+            self.sketch.label_beside(length, self.flat(first), self.flat(second), optional=True, clear=0.1)
         if with_inferred:
             mark_slopes(self.system, self.sketch, self.downward)
-        coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places)
+        coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places, self.links)
         coordinates.all()
         if "axes" not in self.hidden:
             self.axes(coordinates.feet)
@@ -210,7 +224,7 @@ class _Drawing:
                 along = toward((0.0, 0.0), down)
                 inward = along if x * along[0] + y * along[1] >= -1e-6 else scaled(along, -1.0)
             elif math.hypot(x, y) < 1e-6:
-                continue
+                inward = (0.0, -1.0)  # an axle, seen along it
             elif abs(x) > abs(y):
                 inward = (math.copysign(1.0, x), 0.0)
             else:
@@ -283,6 +297,8 @@ class _Drawing:
         self.sketch.line([self.origin, centre], StrokeKind.ROD)
         self.busy.append((self.origin, centre))
         self.sketch.hinge(self.origin)
+        if inner(toward(self.origin, centre), self.downward) < 0.5:  # it stands, and does not hang
+            fulcrum(self.sketch, self.origin, self.downward)
 
     def arms(self, p: MassPoint, radius: float) -> None:
         """The rods from a disc or ball to the points outside it at which it is joined."""
@@ -348,7 +364,7 @@ class _Drawing:
         known = self.system.shapes[p.name]
         held = [self.flat(plus(self.places[p.name], in_space(self.pose, rotation, h))) for h in known.held]
         self.joints(p)
-        more = (self.system.joints, self.system.marked, self.system.fastened)
+        more = (self.system.joints, self.system.carried, self.system.fastened, self.links.held)
         held += [self.flat(place) for places in more for place in places.get(p.name, ())]
         if known.radius:
             radius = known.radius * self.page.scale
@@ -369,22 +385,29 @@ class _Drawing:
             e1 = toward((0, 0), self.page.way(self.pose.at(rotation.axes[0])))
             self.sketch.ellipse(centre, scaled(e1, 0.62), scaled(left_of(e1), 0.36))
         self.sketch.dot(centre, 0.06)
+        if (held or known.radius) and self.system.is_bare and self.is_fixed(p.position):
+            self.pivot(centre, known.radius > 0)
+        for link in self.links.held.get(p.name, ()):
+            self.sketch.hinge(self.flat(link))
         self.supports(p, rotation)
 
     def supports(self, p: MassPoint, rotation: Rotation) -> None:
         """The lines on which a body slides or rolls: perpendicular to a reaction whose direction is constant."""
         known = self.system.shapes[p.name]
         for reaction in self.system.reactions_on(p.name):
+            if reaction.name in self.slots:
+                continue
             rolls = known.radius and reaction.name not in known.at
             point = reaction_point(self.pose, rotation, reaction, known)
-            if point is None or math.hypot(*point) < 1e-6:
+            held = reaction.name in known.at and self.stays(p, rotation, known.at[reaction.name])
+            if point is None or (math.hypot(*point) < 1e-6 and not held):
                 continue
             if not has_one_direction(self.pose, reaction, p.name):
                 self.track(p, rotation, reaction)
                 continue
             at = self.flat(plus(self.places[p.name], point))
-            if not rolls and self.stays(p, rotation, known.at.get(reaction.name)):
-                self.sketch.hinge(at)
+            if held:
+                bearing(self.system, self.sketch, p, reaction, at, self.downward)
                 continue
             force, _ = force_and_moment(self.pose, reaction, p.name)
             way = toward((0, 0), self.page.way(force))
@@ -393,6 +416,10 @@ class _Drawing:
                 continue
             way = way if rolls else left_of(way)
             half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
+            declared = self.system.problem.figure.shapes.get(p.name)
+            if declared is not None and declared.kind is Outline.BOX:  # from its corner to beyond its other end
+                x, y = self.flat(self.places[p.name])
+                half += 2 * abs(inner((x - at[0], y - at[1]), way))
             ends = [beyond(at, way, -half), beyond(at, way, half)]
             push = toward(at, self.flat(self.places[p.name]))
             if left_of(way)[0] * push[0] + left_of(way)[1] * push[1] < 0:
@@ -407,10 +434,8 @@ class _Drawing:
         self.busy.append((at, end))
         self.sketch.wall(end, scaled(way, -1.0), 0.45)
 
-    def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float] | None) -> bool:
+    def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float]) -> bool:
         """Whether a point of a body is fixed in space."""
-        if point is None:
-            return False
         poses = (self.pose, *self.pose.others)
         places = [plus(x.at(p.position), in_space(x, rotation, point)) for x in poses]
         return all(math.dist(places[0], q) < 1e-7 for q in places)

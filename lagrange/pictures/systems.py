@@ -31,7 +31,7 @@ from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, SAME_PLACE, WIDTH
-from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
+from lagrange.pictures.poses import BOWL, Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, coordinates_in_body, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
 from lagrange.problem.model import Drawn, Figure, FigureMark, Keeper, Outline, Problem
@@ -40,8 +40,9 @@ ROD = re.compile(
     r"pendulum|linkage|\b(rod|arm|link|bar|crank|rocker|lever|beam|pole|stick|hinge)s?\b|\bhinged\b", re.IGNORECASE
 )
 """Words for what keeps a distance."""
+BEAM = re.compile(r"\b(beam|girder|truss|bridge|support|roller|plank|bracket|frame)s?\b", re.IGNORECASE)
+"""Words for what stands on bearings."""
 _ROPE = re.compile("string|rope|cord|cable|thread", re.IGNORECASE)
-_BOWL = re.compile(r"\bbowl|hemispher|\btrough|\bgroove|\bcup\b", re.IGNORECASE)
 _HOOP = re.compile(r"hoop|\bring\b|circular|bowl|track|loop|dome|sphere|wire\b|bead|tube", re.IGNORECASE)
 
 
@@ -174,15 +175,22 @@ class SystemPicture:
     @cached_property
     def marked(self) -> dict[str, list[FloatVector]]:
         """The massless points that move with a plane body, its ends perhaps, by body."""
+        massless = {o.name: self.pose.at(o.position) for o in self.configuration.points if o.mass == 0}
+        return {name: [at for at in carried if at in massless.values()] for name, carried in self.carried.items()}
+
+    @cached_property
+    def carried(self) -> dict[str, list[FloatVector]]:
+        """The particles and massless points that move with a plane body, by body."""
         points = self.configuration.points
+        turning = {p.name for p in points if plane_rotation(self.configuration, p.name) is not None}
         return {
             p.name: [
                 self.pose.at(o.position)
                 for o in points
-                if o.mass == 0 and o.name != p.name and _holds(self, p, lambda pose, o=o: pose.at(o.position))  # type: ignore[misc]
+                if o.name not in turning and _holds(self, p, lambda pose, o=o: pose.at(o.position))  # type: ignore[misc]
             ]
             for p in points
-            if plane_rotation(self.configuration, p.name) is not None
+            if p.name in turning
         }
 
     @cached_property
@@ -218,12 +226,12 @@ class SystemPicture:
     @property
     def is_bowl(self) -> bool:
         """Whether the text speaks of what is open above."""
-        return bool(_BOWL.search(self.text))
+        return bool(BOWL.search(self.text))
 
     @property
     def is_inside(self) -> bool:
         """Whether the text speaks of something round that has an inside."""
-        return bool(_HOOP.search(self.text) or _BOWL.search(self.text))
+        return bool(_HOOP.search(self.text) or BOWL.search(self.text))
 
     def is_hoop(self, name: str) -> bool:
         """Whether a body is called a hoop or the like."""
@@ -472,12 +480,18 @@ def beside(configuration: Configuration, newton: Newton) -> Configuration:
             continue
         [along] = parts[0]
         way = Vector(tuple(sp.Integer(n == (1 if along == 0 else 0)) for n in range(3)))
-        moved = [
-            replace(p, position=p.position.fixed() + way * sp.Rational(2 * s, 5))
-            for p, s in zip(points, (-1, 1), strict=True)
-        ]
-        return replace(configuration, points=tuple(moved))
+        shifts = {p.name: way * sp.Rational(s, 4) for p, s in zip(points, (-1, 1), strict=True)}
+        moved = tuple(replace(p, position=p.position.fixed() + shifts[p.name]) for p in points)
+        loads = tuple(replace(f, point=f.point.fixed() + shifts.get(f.on, Vector.zero())) for f in configuration.loads)
+        return replace(configuration, points=moved, loads=loads)
     return configuration
+
+
+def without_weights(system: SystemPicture) -> SystemPicture:
+    """The system with the forces that the file names only."""
+    named = {f.name for f in system.problem.forces}
+    loads = tuple(f for f in system.configuration.loads if f.name in named)
+    return replace(system, configuration=replace(system.configuration, loads=loads))
 
 
 def is_string(reaction: Reaction) -> bool:

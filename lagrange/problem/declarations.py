@@ -198,7 +198,11 @@ def _coordinate(key: Scalar, value: Node | None, names: DeclaredNames) -> Coordi
     if value is None:
         return Coordinate(symbol)
     if isinstance(value, Scalar):
-        return Coordinate(symbol, " ".join(value.text.split()))
+        meaning = " ".join(value.text.split())
+        if meaning in [*Assumption]:
+            names.diagnostics.report(_assumed_of_coordinate(name, value))
+            return Coordinate(symbol)
+        return Coordinate(symbol, meaning)
     if isinstance(value, ListNode):
         message = f"the declaration of `{name}` is its meaning or a mapping"
         names.diagnostics.report(wrong_kind(value, message, f"write `{name}: its meaning`"))
@@ -208,6 +212,12 @@ def _coordinate(key: Scalar, value: Node | None, names: DeclaredNames) -> Coordi
     scope = Scope(scalars={p.name: p for p in names.parameters})
     within = names.diagnostics.attempt(lambda: read_range(limits, name, unit, scope)) if limits else None
     return Coordinate(symbol, section.text("meaning"), unit, within)
+
+
+def _assumed_of_coordinate(name: str, value: Scalar) -> Diagnostic:
+    message = f"`{value.text}` is an assumption about a parameter, and `{name}` is a coordinate"
+    help_ = f"write `{name}: {{range: [0, 10 m]}}` for where it may lie; what stands after the colon is its meaning"
+    return Diagnostic("assumed-of-coordinate", message, value.span, help=help_, level=Severity.NOTE)
 
 
 def _unknown(key: Scalar, _value: Node | None, names: DeclaredNames) -> sp.Symbol | None:

@@ -16,6 +16,9 @@ from tests.support.shared import reported
         ("ball-on-a-ball", "if b² n² > 35a g"),
         ("charge-and-monopole", "lies on a cone about"),
         ("appell-hamel", "the path is a straight line"),
+        ("kapitza-pendulum", "unstable without the drive, is stable on average if a² Ω² > 2g l"),
+        ("shortening-pendulum", "have, to leading order, an amplitude proportional to 1/l^(3/4)"),
+        ("penning-trap", "x and y stay bounded, if B² q² > 2m² w²; otherwise x and y in general grow"),
         ("drawbridge", "it is zero in every position if, by the constraint"),
     ],
 )

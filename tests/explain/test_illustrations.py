@@ -38,3 +38,15 @@ def test_a_picture_that_takes_too_much_work_is_left_out(monkeypatch: pytest.Monk
     page = html.render([(found.derivation, found.notation)])
     assert "Drawing of the system" not in page
     assert "<h2" in page
+
+
+def test_the_applied_forces_are_in_the_figure_where_free_bodies_cannot_be_drawn() -> None:
+    text = (
+        "title: Drum\naxes: {i: right, j: up}\nparameters: [r, P, T, J]\ncoordinates: [phi]\n"
+        "bodies: {drum: {inertia: J, position: 0*i, angle: phi, shape: {disc: r}}}\nforces:\n"
+        "  held: {on: drum, at: -r*i, vector: -T*j}\n  pulled: {on: drum, at: r*i, vector: -P*j}\n"
+    )
+    found = report(read_problem(Source("case.yaml", text)), complete=False)
+    drawn = [b.draw() for s in found.derivation.steps for b in s.body if isinstance(b, Picture)]
+    [scene] = [scene for scene in drawn if scene is not None]
+    assert {"P", "T"} <= {str(label.content) for label in scene.labels}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -65,3 +66,17 @@ forces: {magnetic: {on: P, vector: "q*B*(y'*i - x'*j)"}}
     )
     page = " ".join(terminal.text(made.derivation, made.notation, 200).split())
     assert "on a circle; in vectors, 𝐯̇ = −(B q/m) (𝐤 × 𝐯)." in page or "𝐯̇ = −(q B/m) (𝐤 × 𝐯)." in page, page
+
+
+def test_an_ion_is_held_by_a_strong_field_only() -> None:
+    """The bound of the text against the eigenvalues of the two linear equations in numbers."""
+    found = turning(solved("penning-trap").chosen)
+    assert found is not None
+    assert found.bounded is not None
+    more, less = found.bounded
+    for field in (1.3, 1.5):
+        values = {"m": 1.0, "q": 1.0, "B": field, "w": 1.0, "sigma": 1.0}
+        system = np.array([[0, 0, 1, 0], [0, 0, 0, 1], [0.5, 0, 0, field], [0, 0.5, -field, 0]])
+        held = bool(np.abs(np.linalg.eigvals(system).real).max() < 1e-9)
+        numbers = [float(e.subs({s: values[s.name] for s in e.free_symbols})) for e in (more, less)]
+        assert (numbers[0] > numbers[1]) is held

@@ -149,3 +149,35 @@ def test_no_limit_says_only_that_nothing_accelerates() -> None:
     still = [x for x in found.limits if all(e in found.view.configuration.slots.accelerations for e in x.equations)]
     assert not still
     assert not [x for x in found.limits if x.to == sp.oo]
+
+
+def test_contact_on_a_dome_lasts_up_to_a_velocity() -> None:
+    [end] = of("slide-off-a-dome").ends
+    view = of("slide-off-a-dome").view
+    assert view.dynamics is not None
+    assert view.dynamics.reactions is not None
+    N = view.dynamics.reactions.sizes["dome"]
+    for speed, sign in ((0.9, 1), (1.1, -1)):
+        values = {"m": 1, "R": 2, "g": 10, "theta": sp.Rational(1, 2)}
+        numbers = {s: values[s.name] for s in (N.free_symbols | end.square.free_symbols) if s.name in values}
+        at = N.subs(end.velocity, speed * sp.sqrt(end.square)).subs(numbers)
+        assert sp.sign(at.evalf()) == sign
+    assert end.relation == "<"
+
+
+def test_the_taut_string_of_a_loop_needs_a_velocity() -> None:
+    text = """
+title: Bob on a string
+parameters: [m, l, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {string: {equation: x^2 + y^2 <= l^2, reaction: T}}
+gravity: -g*j
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}
+"""
+    found = meaning(solve(read_problem(Source("string.yaml", text))))
+    assert found is not None
+    [end] = found.ends
+    g, l = (next(s for s in end.square.free_symbols if s.name == n) for n in ("g", "l"))
+    theta = found.view.configuration.slots.coordinates[0]
+    assert (end.relation, sp.expand(end.square - g / l * sp.cos(theta))) == (">", 0)

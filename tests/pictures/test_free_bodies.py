@@ -7,12 +7,15 @@ import math
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.document.derivation import Picture, Rule
 from lagrange.document.math_writer import UNICODE, Writer
 from lagrange.document.scene import Polyline, Scene, StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.free_bodies import free_body_scene
 from lagrange.pictures.loads import acting_on
 from tests.support.drawings import CLOSE, evaluated, lines_of, near, system_of
+from tests.support.figure_sheet import figures_of
 from tests.support.shared import reported
 
 
@@ -87,3 +90,17 @@ def test_a_rod_on_two_supports_has_its_normal_forces() -> None:
     assert scene is not None
     assert {"N_A", "N_B", "W"} <= {str(label.content) for label in scene.labels}
     assert len(lines_of(scene, StrokeKind.REACTION)) == 2
+
+
+def test_the_weights_of_two_particles_above_each_other_act_on_them() -> None:
+    text = (
+        "title: Two weights\ndescription: They hang from a string over a pulley.\naxes: {i: right, j: down}\n"
+        "gravity: g*j\nparameters: [m, M, L, g]\ncoordinates: [x, y]\n"
+        "particles: {A: {mass: m, position: x*j}, B: {mass: M, position: y*j}}\nconstraints: {string: x + y = L}\n"
+    )
+    _, bodies = figures_of(kinematics_and_law(lagrange.loads(text)))
+    arrows = [line for line in bodies.lines if line.kind in (StrokeKind.FORCE, StrokeKind.REACTION)]
+    assert len(arrows) == 4
+    outlines = [line.points for line in bodies.lines if line.kind is StrokeKind.BODY]
+    for arrow in arrows:
+        assert min(math.dist(arrow.points[0], p) for points in outlines for p in points) < 0.3

@@ -72,6 +72,8 @@ def test_a_problem_that_says_nothing_of_its_figure_has_a_true_one(name: str) -> 
     assert [end for end in _ends(scene) if not _is_held(end, scene)] == []
     for drawn in (scene, *others):
         assert not any(a.box.overlaps(b.box) for a, b in combinations(drawn.labels, 2))
+        pieces = [piece for line in drawn.lines if line.kind not in FAINT for piece in line.pieces]
+        assert not any(label.box.is_crossed(*piece) for label in drawn.labels for piece in pieces)
         assert drawn.box.width < 16
 
 
@@ -105,3 +107,26 @@ def test_ground_is_hatched_to_the_right_of_the_way() -> None:
     strokes = [line for line in sketch.lines if line.kind is StrokeKind.HATCH]
     assert len(strokes) > 20
     assert all(s.points[1][1] < 0 or s.points[1][0] > 2 for s in strokes)
+
+
+def test_grounds_that_overlap_on_a_line_are_one() -> None:
+    sketch = Sketch()
+    sketch.ground([(0.0, 0.0), (2.0, 0.0)])
+    sketch.ground([(1.0, 0.0), (3.0, 0.0)])
+    sketch.ground([(1.0, 1.0), (3.0, 1.0)])  # on another line
+    sketch.ground([(3.5, 0.0), (4.0, 0.0)])  # after a gap
+    sketch.ground([(2.0, 0.0), (1.0, 0.0)])  # hatched on the other side
+    grounds = [line.points for line in sketch.lines if line.kind is StrokeKind.GROUND]
+    assert ((0.0, 0.0), (3.0, 0.0)) in grounds
+    assert len(grounds) == 4
+    feet = [line.points[0] for line in sketch.lines if line.kind is StrokeKind.HATCH and line.points[1][1] < 0]
+    assert len(feet) == len(set(feet))
+
+
+def test_a_wall_and_a_floor_meet_in_their_corner() -> None:
+    sketch = Sketch()
+    sketch.ground([(0.0, 3.0), (0.0, 2.0)][::-1])
+    sketch.ground([(4.0, 0.0), (2.0, 0.0)])
+    sketch.join_corner()
+    grounds = {line.points for line in sketch.lines if line.kind is StrokeKind.GROUND}
+    assert grounds == {((0.0, 0.0), (0.0, 3.0)), ((4.0, 0.0), (0.0, 0.0))}

@@ -16,7 +16,8 @@ from lagrange.core.symbols import UnitVector, VectorSymbol, differential, t
 from lagrange.document.scene import Scene, StrokeKind
 from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.floats import FloatVector
-from lagrange.pictures.surfaces import constraints_in_space, curve, surface
+from lagrange.pictures.solids import with_implied_shapes
+from lagrange.pictures.surfaces import InSpace, constraints_in_space, surface
 from lagrange.pictures.systems import system_in_file
 from tests.support.drawings import figures, lines_of
 
@@ -97,14 +98,58 @@ def test_any_other_surface_is_a_patch_around_the_particle() -> None:
     assert min(math.dist(p, HERE) for row in grid for p in row) < 1e-6
 
 
-def test_two_surfaces_leave_a_closed_curve() -> None:
-    def ball(p: FloatVector) -> float:
-        return p[0] ** 2 + p[1] ** 2 + p[2] ** 2 - 2
+def in_space(text: str) -> InSpace:
+    system = system_in_file(kinematics_and_law(lagrange.loads(f"title: Curves\n{text}")))
+    assert system is not None
+    return constraints_in_space(with_implied_shapes(system))
 
-    points = curve([bowl, ball], HERE)
+
+POINT = "parameters: [m, a, b]\ncoordinates: [x, y, z]\nparticles: {P: {mass: m, position: x*i + y*j + z*k}}\n"
+
+
+def test_two_surfaces_leave_a_closed_curve() -> None:
+    [points] = in_space(f"{POINT}constraints: {{bowl: z = x^2/a + y^2/a, sphere: x^2 + y^2 + z^2 = 2*a^2}}\n").curves
     assert points[0] == points[-1]
-    assert max(abs(f(p)) for f in (bowl, ball) for p in points) < 1e-6
+    heights = [z for _, _, z in points]
+    assert max(heights) - min(heights) < 1e-6  # a circle
     assert max(math.dist(a, b) for a, b in pairwise(points)) < 0.1
+
+
+def test_a_helix_in_cylindrical_coordinates_winds_more_than_once() -> None:
+    [points] = in_space(
+        "parameters: [m, a, b]\nframe: {type: cylindrical, coordinates: [rho, phi, z]}\ncoordinates: [rho, phi, z]\n"
+        "particles: {P: {mass: m, position: rho*e_rho + z*k}}\nconstraints: {radius: rho = a, pitch: z = b*phi}\n"
+    ).curves
+    turned = sum(
+        math.remainder(math.atan2(q[1], q[0]) - math.atan2(p[1], p[0]), 2 * math.pi) for p, q in pairwise(points)
+    )
+    assert abs(turned) > 2 * math.pi
+    assert (points[-1][2] - points[0][2]) / turned == pytest.approx(
+        (points[9][2] - points[0][2])
+        / sum(
+            math.remainder(math.atan2(q[1], q[0]) - math.atan2(p[1], p[0]), 2 * math.pi)
+            for p, q in pairwise(points[:10])
+        )
+    )
+
+
+def test_a_torus_is_closed() -> None:
+    [grid] = in_space(f"{POINT}constraints: {{torus: (sqrt(x^2 + y^2) - a)^2 + z^2 = b^2}}\n").grids
+    assert all(math.dist(p, q) < 1e-9 for p, q in zip(grid[0], grid[-1], strict=True))
+    heights = [row[0][2] for row in grid]
+    assert max(heights) == pytest.approx(-min(heights), rel=0.05)
+
+
+def test_what_rolls_on_a_floor_in_space_has_a_floor_at_its_lowest_point() -> None:
+    text = (
+        "parameters: [m, R]\ncoordinates: [x, y, phi, theta, psi]\nbodies:\n  ball: {mass: m, "
+        "inertia: [2/5*m*R^2, 2/5*m*R^2, 2/5*m*R^2], position: x*i + y*j + 3*R*k, "
+        "orientation: {axes: 313, angles: [phi, theta, psi]}}\n"
+    )
+    [floor] = in_space(f"description: It rolls on the floor.\n{text}").tables
+    assert len({z for _, _, z in floor}) == 1
+    assert floor[0][2] > 1  # 2 R
+    assert in_space(f"description: It turns.\n{text}").tables == ()
 
 
 def test_a_cone_in_cylindrical_coordinates_is_drawn() -> None:

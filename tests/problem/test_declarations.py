@@ -81,6 +81,13 @@ def test_coordinates_in_a_mapping() -> None:
     ]
 
 
+def test_an_assumption_is_no_meaning_of_a_coordinate() -> None:
+    declared = "coordinates: {r: positive, s: the distance}"
+    problem = read(f"title: T\n{declared}\nparticles: {{P: {{mass: 1, position: '[r, s]'}}}}\n")
+    assert [n.code for n in problem.notes] == ["assumed-of-coordinate"]
+    assert [q.meaning for q in problem.coordinates] == ["", "the distance"]
+
+
 def test_functions() -> None:
     problem = read(
         "title: T\ncoordinates: [x, y]\nfunctions: {f: [X, Y], u: [t], F_x: [x, x', t]}\n"

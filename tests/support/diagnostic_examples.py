@@ -276,6 +276,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "figure: {circles: [{centre: P, radius: l, as: disk}]}")),
     "figure-too-large": ("Nobody can tell so many parts of a figure apart.", problem(
         PARTICLE + "figure: {lines: [" + ", ".join(["[P, O]"] * 61) + "]}")),
+    "assumed-of-coordinate": ("Only parameters are positive; a coordinate has a range.", problem(
+        PARTICLE, coordinates="{x: positive, y: height}")),
     "unused-parameter": ("A parameter appears nowhere: a force has been forgotten, or another letter was meant.", problem(
         PARTICLE, parameters="[m, k]")),
     "inertia-dimension": ("A moment of inertia is a mass times the square of a length.", problem(

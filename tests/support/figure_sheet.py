@@ -1,9 +1,9 @@
 """A sheet of all figures (`make figures`), to be looked through before a release: the system and its free bodies of
 every shipped problem, with those that have none.
 
-    python -m tests.support.figure_sheet [--out FILE.html] [--png FOLDER] [NAME ...]
+    python -m tests.support.figure_sheet [--out FILE.html] [--png FOLDER] [NAME | FILE.yaml ...]
 
-With `--png` the sheet is also photographed by Chromium, a few problems to a picture. Only what a figure needs is
+Names are of shipped problems, in part; files may be any problems, such as new ones. With `--png` the sheet is also photographed by Chromium, a few problems to a picture. Only what a figure needs is
 derived (kinematics and Newton's law), which takes a minute for all problems instead of ten.
 """
 
@@ -36,8 +36,8 @@ COLUMNS, WIDTH, HEIGHT = 4, 480, 400
 
 
 def solution_for_figures(name: str) -> Solution:
-    """Kinematics and Newton's law of a shipped problem, enough to draw it."""
-    return kinematics_and_law(loaded(name))
+    """Kinematics and Newton's law of a shipped problem or a file, enough to draw it."""
+    return kinematics_and_law(loaded(Path(name) if name.endswith(".yaml") else name))
 
 
 def figures_of(solution: Solution) -> list[Scene]:
@@ -56,7 +56,8 @@ def cell(name: str) -> str:
         drawn = ["\n".join(figure(scene, name, write)) for scene in figures_of(solution)]
     except ProblemError as error:
         drawn = [f"<pre>{escape(error.show())}</pre>"]
-    return f'<div class="cell"><b>{escape(name)}</b><br>{"".join(drawn) or "<i>no figure</i>"}</div>'
+    size = f"--high: {(HEIGHT - 40) // max(len(drawn), 1)}px"
+    return f'<div class="cell" style="{size}"><b>{escape(Path(name).stem)}</b><br>{"".join(drawn) or "<i>no figure</i>"}</div>'
 
 
 def sheet(cells: Sequence[str]) -> str:
@@ -64,7 +65,7 @@ def sheet(cells: Sequence[str]) -> str:
     own = (
         f"body {{ margin: 0; background: #fff; }} .cell {{ float: left; width: {WIDTH}px; height: {HEIGHT}px; "
         "overflow: hidden; border: 1px solid #ccc; box-sizing: border-box; font: 13px sans-serif; } "
-        ".cell svg { max-width: 100%; max-height: 88%; width: auto; }"
+        ".cell svg { max-width: 96%; max-height: var(--high); width: auto; height: auto; }"
     )
     return f"<!DOCTYPE html><meta charset=utf-8><style>{CSS}{own}</style>" + "\n".join(cells)
 
@@ -94,7 +95,9 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=Path("figures.html"))
     parser.add_argument("--png", type=Path)
     arguments = parser.parse_args()
-    names = [n for n in SHIPPED if not arguments.names or any(part in n for part in arguments.names)]
+    files = [n for n in arguments.names if n.endswith(".yaml")]
+    parts = [n for n in arguments.names if n not in files]
+    names = [n for n in SHIPPED if not arguments.names or any(part in n for part in parts)] + files
     with ProcessPoolExecutor(2) as pool:
         cells = list(pool.map(cell, names, chunksize=4))
     arguments.out.write_text(sheet(cells), encoding="utf-8")

@@ -5,7 +5,17 @@ from __future__ import annotations
 import pytest
 
 from tests.support import grouping
-from tests.support.grouping import BATCHES, NAMES, batch_of, group_of, longest_first, part_of, unit_of
+from tests.support.grouping import (
+    BATCHES,
+    CHAPTER,
+    NAMES,
+    batch_of,
+    group_of,
+    longest_first,
+    part_of,
+    tried_with_many,
+    unit_of,
+)
 from tests.support.shared import SHIPPED
 
 
@@ -50,6 +60,29 @@ def test_a_function_that_names_a_problem_runs_with_its_batch(monkeypatch: pytest
     unit_of.cache_clear()
     assert unit_of(named) == named
     unit_of.cache_clear()
+
+
+def test_what_takes_a_fixture_of_its_module_is_one_unit_and_in_one_part() -> None:
+    file = "animation/test_played.py"
+    tests = [
+        f"{file}::test_energy_and_constraints_are_kept[heavy-top]",
+        f"{file}::test_energy_and_constraints_are_kept[rolling-disc]",
+        f"{file}::test_a_slider_changes_the_parameter_and_the_motion",
+    ]
+    assert {unit_of(test) for test in tests} == {file}
+    assert len({part_of(test, 1000) for test in tests}) == 1
+    with_parameters = "problems/test_read_back.py::test_equations_can_be_read_again[heavy-top]"
+    assert unit_of(with_parameters) == f"batch-{batch_of('heavy-top')}"
+
+
+def test_what_is_tried_with_every_shipped_problem() -> None:
+    each = [f"a.py::each[{name}-{n}]" for name in SHIPPED for n in range(2)]
+    some = [f"a.py::some[{name}-{n}]" for name in [*SHIPPED][-30:] for n in range(2)]
+    found = tried_with_many([*each, *some, "a.py::one"])
+    assert found == {t for t in each if group_of(t) not in CHAPTER}
+    assert {group_of(t) for t in each} - {group_of(t) for t in found} == CHAPTER
+    assert {part_of(t, 4) for t in found} == {*range(4)}
+    assert all(part_of(t, 40) % 4 == part_of(t, 4) for t in found)  # on the day of its slow tests a problem is solved
 
 
 def test_the_longest_group_comes_first_and_groups_stay_together(monkeypatch: pytest.MonkeyPatch) -> None:

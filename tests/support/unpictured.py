@@ -16,7 +16,7 @@ UNPICTURED: dict[str, tuple[str, dict[StrokeKind, int]]] = {
         "title: Atwood's machine\ndescription: Two weights hang from a string over a pulley.\n"
         f"{DOWN}parameters: [m, M, L, g]\ncoordinates: [x, y]\n"
         "particles: {A: {mass: m, position: x*j}, B: {mass: M, position: y*j}}\nconstraints: {string: x + y = L}\n",
-        {STRING: 3, GROUND: 2},
+        {STRING: 2, GROUND: 1},
     ),
     "a movable pulley": (
         "title: A movable pulley\ndescription: A rope runs under the pulley of block A and over a fixed one to block B.\n"
@@ -99,5 +99,38 @@ UNPICTURED: dict[str, tuple[str, dict[StrokeKind, int]]] = {
         f"title: Helix\n{SPACE}parameters: [m, a, h, g]\n"
         "constraints: {cylinder: x^2 + y^2 = a^2, pitch: y*cos(z/h) = x*sin(z/h)}\n",
         {CURVE: 1},
+    ),
+    "a block on a block": (
+        "title: Block on a block\ndescription: A block of mass m slides on a block of mass M, which slides on a floor.\n"
+        f"{UP}parameters: [m, M, g]\ncoordinates: [X, x]\n"
+        "particles: {lower: {mass: M, position: X*i}, upper: {mass: m, position: (X + x)*i + j}}\n",
+        {BODY: 2, GROUND: 1},
+    ),
+    "a bead on a rod that turns": (
+        "title: Bead\ndescription: A bead slides on a straight rod that turns about O.\naxes: {i: right, j: up}\n"
+        "parameters: [m, Omega]\ncoordinates: [r]\n"
+        "particles: {bead: {mass: m, position: r*(cos(Omega*t)*i + sin(Omega*t)*j)}}\n",
+        {ROD: 1, GROUND: 1},
+    ),
+    "a seesaw": (
+        "title: Seesaw\ndescription: Two children sit on a plank.\n"
+        f"{UP}parameters: [J, m, M, a, b, g]\ncoordinates: [theta]\n"
+        "bodies: {plank: {inertia: J, position: 0*i, angle: theta}}\n"
+        "particles: {A: {mass: m, position: a*e1_plank}, B: {mass: M, position: -b*e1_plank}}\n",
+        {BODY: 2, GROUND: 1},
+    ),
+    "a ladder against a wall": (
+        "title: Ladder\ndescription: A ladder leans against a wall and stands on the floor.\n"
+        f"{UP}parameters: [m, l, g]\ncoordinates: [x, y, theta]\n"
+        "bodies: {ladder: {mass: m, inertia: m*l^2/3, position: x*i + y*j, angle: -theta}}\n"
+        "constraints: {wall: x = l*cos(theta), floor: y = l*sin(theta)}\n",
+        {BODY: 1, GROUND: 2},
+    ),
+    "gears on their axles": (
+        "title: Gears\naxes: {i: right, j: up}\nparameters: [I, J, r, R]\ncoordinates: [phi, psi]\nbodies:\n"
+        "  first: {inertia: I, position: 0*i, angle: phi, shape: {disc: r}}\n"
+        "  second: {inertia: J, position: (r + R)*i, angle: psi, shape: {disc: R}}\n"
+        "constraints: {mesh: r*phi' + R*psi' = 0}\n",
+        {BODY: 2, GROUND: 2},
     ),
 }

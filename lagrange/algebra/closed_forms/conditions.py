@@ -306,21 +306,65 @@ def _between(roots: Sequence[sp.Expr]) -> list[sp.Rational]:
 # -- several -----------------------------------------------------------------------------------------------------------
 
 
-def _implied(asked: Sequence[_Bound], given: Sequence[_Bound]) -> tuple[_Bound, ...]:
-    """The conditions, with products split where signs are known, and without those implied by others."""
+def _implied(asked: Sequence[_Bound], given: Sequence[_Bound], in_cases: bool = True) -> tuple[_Bound, ...]:
+    """The conditions, with products split where signs are known, and without those implied by others.
+
+    in_cases  whether a factor of several conditions may be taken to be positive, and negative
+    """
+    asked = _without_equality(asked)
     for _ in range(len(asked) + 2):
         changed = _split(asked, given)
         if changed is None:
             break
         asked = changed
-    kept = [*dict.fromkeys(asked)]
+    kept = [*dict.fromkeys(_without_equality(asked))]
     for b in sorted(kept, key=lambda b: (b.relation != "≠", -count_operations(b.polynomial))):
         rest = [o for o in kept if o != b]
         if _follows(b, [*rest, *given]):
             kept = rest
         elif b.relation != "≠" and _follows(_Bound(-b.polynomial, ">" if b.relation == "≥" else "≥"), [*rest, *given]):
             raise _ExcludedError
-    return tuple(kept)
+    return (_by_cases(kept, given) if in_cases else None) or tuple(kept)
+
+
+def _without_equality(asked: Sequence[_Bound]) -> list[_Bound]:
+    """p ≥ 0 and p ≠ 0 as the one condition p > 0."""
+    different = {sign * b.polynomial for b in asked if b.relation == "≠" for sign in (1, -1)}
+    strict = [_Bound(b.polynomial, ">") if b.relation == "≥" and b.polynomial in different else b for b in asked]
+    positive = {sign * b.polynomial for b in strict if b.relation == ">" for sign in (1, -1)}
+    return [b for b in strict if b.relation != "≠" or b.polynomial not in positive]
+
+
+def _by_cases(asked: Sequence[_Bound], given: Sequence[_Bound]) -> tuple[_Bound, ...] | None:
+    """The conditions where a factor that several of them share, and that is not zero, can have one sign only.
+
+    (d k − 6) D ≥ 0 and (c + 3 − d k − k) D ≥ 0 with D = k + 3 − c: no sign of D will do.
+    """
+    powers = [dict(sp.factor_list(b.polynomial)[1]) for b in asked]
+    own = [{f for f, n in p.items() if n % 2} for b, p in zip(asked, powers, strict=True) if b.relation != "≠"]
+    not_zero = {f for b, p in zip(asked, powers, strict=True) if b.relation in "≠>" for f in p}
+    shared = {f for one, other in combinations(own, 2) for f in one & other if f in not_zero}
+    for f in sorted(shared, key=str):
+        possible = []
+        for sign in (1, -1):
+            case = [_Bound(sign * f, ">")]
+            for b, p in zip(asked, powers, strict=True):
+                rest = sp.cancel(b.polynomial / f ** p.get(f, 0))
+                known = sign ** (p.get(f, 0) % 2)
+                if not rest.is_number:
+                    case.append(_Bound(sp.expand(known * rest), b.relation) if f in p else b)
+                elif b.relation != "≠" and known * rest < 0:
+                    break
+            else:
+                try:
+                    possible.append(_implied(case, given, in_cases=False))
+                except _ExcludedError:
+                    continue
+        if not possible:
+            raise _ExcludedError
+        if len(possible) == 1:
+            return possible[0]
+    return None
 
 
 def _follows(b: _Bound, known: Sequence[_Bound]) -> bool:
@@ -393,6 +437,10 @@ def _split(asked: Sequence[_Bound], given: Sequence[_Bound]) -> list[_Bound] | N
                 open_factors.append(f)
             else:
                 weak = True
+        if not open_factors and not weak and b.relation != "≠":
+            if sign < 0:
+                raise _ExcludedError
+            return others
         if weak or len(open_factors) == len(powers) > 2 or not open_factors:
             continue
         if len(open_factors) == 1:

@@ -16,12 +16,14 @@ from random import Random
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED, SHORTEST_TRIED, TRIED_POINTS
+from lagrange.algebra.closed_forms.shortest_form import in_sines
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, Reals
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import sign_in_range
+from lagrange.core.symbols import Bounded, range_of, sign_in_range
 
 
 @record
@@ -93,6 +95,8 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     signs = {_of_product(term, known) for term in f.args}
     if len(signs) == 1:
         return signs.pop()
+    if (beyond := _of_more_than_known(f, known)) is not None:
+        return beyond
     growing = {e: 1 + sp.Dummy(positive=True) for e in f.atoms(sp.exp) if _of_product(e.args[0], known) == 1}
     if growing:
         return _of_product(_factored(sp.expand(f.xreplace(growing))), known)
@@ -100,6 +104,18 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     if roots:
         return _by_squares(f, roots.pop(), known) if len(roots) == 1 else None
     return _of_bounded(f) or _of_quadratic(f, known)
+
+
+def _of_more_than_known(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
+    """The sign of a sum that is a known one and terms of its sign: k + 3 − c + d k, where k + 3 > c."""
+    for n, p in enumerate(known):
+        if p.is_Add and {*f.args} & {*p.args}:
+            rest = f - p
+            if all(term.is_positive for term in sp.Add.make_args(rest)):
+                return 1 if n % 2 == 0 else None
+            if all(term.is_negative for term in sp.Add.make_args(rest)):
+                return -1 if n % 2 else None
+    return None
 
 
 def _of_bounded(f: sp.Expr) -> int | None:
@@ -218,12 +234,30 @@ def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] 
     primitive = _without_positive_factors(expression, positive)
     primitive = _without_common_power(primitive)
     primitive = (_without_root if relation != "≠" else _zero_without_root)(primitive, positive)
+    primitive = _as_angles(primitive, positive)
     terms = sp.Add.make_args(sp.expand(primitive))
     left = [term for term in terms if not term.could_extract_minus_sign()]
     right = [-term for term in terms if term.could_extract_minus_sign()]
     if not left:
         return SignCondition(sp.Add(*right), {"≥": "≤", "≠": "≠", ">": "<"}[relation], sp.S.Zero)
     return SignCondition(sp.Add(*left), relation, sp.Add(*right))
+
+
+def _as_angles(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
+    """β − α for sin β − cos β tan α of acute angles: what has the sign of the sine or cosine of a sum of angles."""
+    waves = e.atoms(sp.sin, sp.cos, sp.tan)
+    if len(waves) < 2 or not all(isinstance(s, Bounded) for w in waves for s in w.free_symbols):
+        return e
+    form = textbook_form(_without_positive_factors(in_sines(e), positive))
+    wave = next((f for f in sp.Mul.make_args(form) if isinstance(f, sp.sin | sp.cos)), None)
+    ends = range_of(wave.args[0]) if wave is not None and wave.args[0].is_Add else None
+    sign = None if wave is None else sign_of(form / wave, positive)
+    if wave is None or ends is None or sign not in (1, -1):
+        return e
+    angle = wave.args[0] if isinstance(wave, sp.sin) else sp.pi / 2 - wave.args[0]
+    low, high = (ends.low, ends.high) if isinstance(wave, sp.sin) else (sp.pi / 2 - ends.high, sp.pi / 2 - ends.low)
+    widest = sp.Max(-low, high)
+    return sign * angle if widest < sp.pi or (widest == sp.pi and all(ends.strict)) else e
 
 
 def _without_common_power(e: sp.Expr) -> sp.Expr:

@@ -8,7 +8,7 @@ branch. A branch contained in another one is dropped. How branches are found: `b
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations
 
@@ -330,6 +330,29 @@ def _of_two_signs(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]
     """The angles that are given by one function of theirs."""
     stated = [f.args[0] for r in b.relations for f in [r.lhs.as_base_exp()[0]] if isinstance(f, CIRCULAR)]
     return [u for u in unknowns if u in letters.angles and stated.count(letters.angles[u].measure) == 1]
+
+
+def with_shares_of_pi(
+    b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol], inside: Callable[[sp.Symbol, sp.Expr], bool]
+) -> Branch:
+    """The branch with angles that are the same share of π at all its points given outright: θ = π/4 for tan θ = 1.
+
+    inside  whether an angle may have a value, and no other one full turns further
+    """
+    stated = {r.lhs for r in b.relations}
+    for u in unknowns:
+        angle = letters.angles.get(u)
+        if angle is None or u in stated or any(s not in p for p in b.points for s in angle.letters):
+            continue
+        places = {tuple(p[s] for s in angle.letters) for p in b.points}
+        if len(places) != 1 or any(v.free_symbols for place in places for v in place):
+            continue
+        relations = root_at(angle, b.points[0]).relations
+        if len(relations) == 1 and relations[0].lhs == u and inside(u, relations[0].rhs):
+            b = _with_angles(b, b.points, (u,), letters, unknowns)
+            value = {u: relations[0].rhs}
+            b = replace(b, relations=tuple(replace(r, rhs=r.rhs.xreplace(value)) for r in b.relations))
+    return b
 
 
 def _with_angles(

@@ -8,7 +8,7 @@ beside its own sine and cosine (k θ = m g l sin θ) keeps its own symbol as wel
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from math import lcm
 
 import sympy as sp
@@ -126,18 +126,19 @@ class TrigLetters:
     def write(self, e: sp.Expr) -> sp.Expr:
         """An expression in letters with sines, cosines and roots again."""
         # A radicand may contain root letters itself.
+        occurring = e.free_symbols
         for _ in range(3):
-            if not e.free_symbols & self.roots.keys():
+            if occurring.isdisjoint(self.roots):
                 break
             e = e.xreplace({r: sp.sqrt(radicand) for r, radicand in self.roots.items()})
-        return e.xreplace(self._functions)
-
-    @property
-    def _functions(self) -> Mapping[sp.Symbol, sp.Expr]:
-        functions: dict[sp.Symbol, sp.Expr] = {}
-        for a in self.angles.values():
-            functions |= {a.cosine: sp.cos(a.measure), a.sine: sp.sin(a.measure)}
-        return functions
+            occurring = e.free_symbols
+        functions = {
+            letter: function(a.measure)
+            for a in self.angles.values()
+            for letter, function in ((a.cosine, sp.cos), (a.sine, sp.sin))
+            if letter in occurring
+        }
+        return e.xreplace(functions) if functions else e
 
     def reduced(self, e: sp.Expr, keep: str = "cosine") -> sp.Expr:
         """A polynomial reduced by S² = 1 − C² (or C² = 1 − S², `keep="sine"`) and expanded. Zero becomes 0.

@@ -52,6 +52,26 @@ def over_wave(element: Element, frequency: int, sine: bool) -> Element | None:
     return _from_exponentials(element.basis, quotient, element.denominator)
 
 
+def highest_multiples(element: Element) -> dict[int, int]:
+    """The highest multiple of each angle in the frequencies of an element, in units of an angle."""
+    highest: dict[int, int] = {}
+    for _, w in element.terms:
+        for i, multiple in unpack(w):
+            highest[i] = max(highest.get(i, 0), abs(multiple))
+    return highest
+
+
+def may_divide(frequency: int, element: Element, highest: dict[int, int]) -> bool:
+    """Whether cos w or sin w may divide an element, by its frequencies alone: none is by itself in its chain.
+
+    highest  of the element, `highest_multiples`
+    """
+    index, step = unpack(frequency)[0]
+    longest = min(highest.get(index, 0) // abs(step), LONGEST_CHAIN)
+    shifts = [s for k in range(1, longest + 1) for s in (2 * k * frequency, -2 * k * frequency)]
+    return all(any((m, abs(v + shift)) in element.terms for shift in shifts) for m, v in element.terms)
+
+
 def _chains(element: Element, frequency: int) -> dict[tuple[int, int], dict[int, Complex]]:
     """Twice the coefficients of e^{iv}, by the chains v = foot + 2 k w of equal monomial."""
     index, step = unpack(frequency)[0]

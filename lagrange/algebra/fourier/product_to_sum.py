@@ -18,7 +18,7 @@ from math import comb, prod
 
 import sympy as sp
 
-from lagrange.algebra.fourier.division import Complex, over_wave
+from lagrange.algebra.fourier.division import Complex, highest_multiples, may_divide, over_wave
 from lagrange.algebra.fourier.elements import UNIT, Basis, Element
 from lagrange.algebra.fourier.limits import (
     HIGHEST_SEPARATED,
@@ -148,8 +148,11 @@ class Factoring:
         A sine is divided by with the sign that SymPy gives it: the quotient is the same in every ring.
         """
         length = len(list(_parts(element)))
+        highest = highest_multiples(element)
         for u in self._halves(element):
             spend(length / TRIED_IN_A_UNIT)
+            if not may_divide(u, element, highest):
+                continue
             for atom in (Atom(u, False), Atom(u, True)):
                 quotient = over_wave(element, u, atom.sine)
                 if quotient is not None and len(list(_parts(quotient))) <= length:

@@ -155,7 +155,7 @@ class ParameterPolynomials:
     def _split(self, polynomial: Polynomial) -> tuple[Fraction, int, Polynomial]:
         number = common_number(polynomial.values())
         monomial = common(polynomial)
-        return number, monomial, {m - monomial: c / number for m, c in polynomial.items()}
+        return number, monomial, {m - monomial: c if number == 1 else c / number for m, c in polynomial.items()}
 
     def _oriented(self, polynomial: Polynomial) -> tuple[int, Polynomial]:
         """Minus one if most signs are minus; the polynomial without that sign."""
@@ -314,9 +314,10 @@ class Textbook:
 
     def _parts(self, element: Element) -> list[SplitProduct]:
         """The products of what contains no displacement: D_k is written in the principle, and again as an equation."""
-        parts = self._sums.get(element.key)
+        key = element.key
+        parts = self._sums.get(key)
         if parts is None:
-            parts = self._sums[element.key] = self._split(element)
+            parts = self._sums[key] = self._split(element)
         return parts
 
     def _split(self, element: Element) -> list[SplitProduct]:
@@ -347,13 +348,14 @@ class Textbook:
     def _row(self, coefficient: Element) -> list[SplitProduct]:
         """The coefficient of one dynamic monomial, as one product; θ1'' and θ2'' often have the same."""
         # Remembered by the ring element: a mass matrix is symmetric, so that most coefficients occur twice.
-        row = self._rows.get(coefficient.key)
+        key = coefficient.key
+        row = self._rows.get(key)
         if row is None:
             numerator, denominator = as_fraction(coefficient)
             waves = self._waves(numerator).items()
             parts = [self._part(self._parameters.factored(p), powers) for powers, p in waves]
             row = [self._over(bracket(parts, factored=True) if len(parts) > 1 else parts[0], denominator)]
-            self._rows[coefficient.key] = row
+            self._rows[key] = row
         return row
 
     def _forces(self, coefficient: Element) -> list[SplitProduct]:

@@ -173,8 +173,20 @@ def carried_weight_left_out(m: Mechanics) -> Iterator[Variation]:
 
 
 def force_reversed(m: Mechanics) -> Iterator[Variation]:
-    """One force has the wrong sign, or all of one kind."""
-    yield from _each_kind(m, sp.S.NegativeOne, "for {} acting the other way", "the sign of {}")
+    """One force has the wrong sign, or all of one kind; one of several weights rarely has."""
+    weights = m.of_kind(AppliedForceKind.WEIGHT)
+    rest = m if len(weights) < 2 else m.force(lambda f: None if f in weights else f)
+    for v in _each_kind(rest, sp.S.NegativeOne, "for {} acting the other way", "the sign of {}"):
+        assert v.mechanics is not None
+        yield v if rest is m else replace(v, mechanics=replace(v.mechanics, forces=(*weights, *v.mechanics.forces)))
+
+
+def one_weight_reversed(m: Mechanics) -> Iterator[Variation]:
+    """One of several weights has the wrong sign."""
+    weights = m.of_kind(AppliedForceKind.WEIGHT)
+    for f in weights if len(weights) > 1 else ():
+        changed = m.scaled([f], sp.S.NegativeOne)
+        yield Variation(f"for {name_of(f)} acting the other way", f"the sign of {name_of(f)}", changed)
 
 
 def energy_doubled(m: Mechanics) -> Iterator[Variation]:
@@ -207,6 +219,22 @@ def at_the_end(m: Mechanics) -> Iterator[Variation]:
         names = ", ".join(map(name_of, those))
         where = "the end of its length, and not in the middle" if len(those) == 1 else "the ends, and not in the middle"
         yield Variation(f"for {names} acting at {where}", f"where {names} acts", changed)
+    yield from _at_the_ends_of_rods(m)
+
+
+def _at_the_ends_of_rods(m: Mechanics) -> Iterator[Variation]:
+    """A constant force in the middle of a rod acts at one of its ends."""
+    ends = dict(m.ends)
+    for load in m.configuration.loads:
+        kind = AppliedForceKind.WEIGHT if load.name == "weight" else AppliedForceKind.FORCE
+        own = next((f for f in m.of_kind(kind) if f.name == load.name and f.on == (load.on,)), None)
+        if load.elsewhere or own is None or not is_constant(load, m.configuration):
+            continue
+        for end in ends.get(load.on, ()):
+            shares = weight_shares(load, end, m.slots)
+            changed = m.force(lambda f, own=own, s=shares: replace(f, shares=s) if f == own else f)  # type: ignore[misc]
+            clause = f"for {name_of(own)} acting at an end of {called(load.on)}, and not in its middle"
+            yield Variation(clause, f"where {name_of(own)} acts", changed)
 
 
 def _without_halves(component: sp.Expr) -> sp.Expr:
@@ -429,7 +457,20 @@ def in_the_wrong_equation(m: Mechanics) -> Iterator[Variation]:
 
 
 def on_one_end(m: Mechanics) -> Iterator[Variation]:
-    """A spring or damper that acts on one of its ends only: action without reaction."""
+    """A spring or damper that acts on one of its ends only, or all that join two bodies: action without reaction."""
+    each = list(_on_one_end(m))
+    yield from (v for _, v in each)
+    for body in dict.fromkeys(body for body, _ in each):
+        own = [v.mechanics for b, v in each if b == body and v.mechanics is not None]
+        if len(own) > 1:
+            changed = {f.name: f for v in own for f, g in zip(v.forces, m.forces, strict=True) if f != g}
+            together = m.force(lambda f, c=changed: c.get(f.name, f))  # type: ignore[misc]
+            names = " and ".join(map(called, changed))
+            clause = f"with {names} acting on {called(body)} only, and not on their other ends"
+            yield Variation(clause, f"both ends of {names}", together)
+
+
+def _on_one_end(m: Mechanics) -> Iterator[tuple[str, Variation]]:
     points = {p.name: p.position.fixed() for p in m.configuration.points}
     for link in m.configuration.links:
         ends = [e for e in link.ends if isinstance(e, str)]
@@ -444,9 +485,8 @@ def on_one_end(m: Mechanics) -> Iterator[Variation]:
                 for q in m.slots.coordinates
             )
             clause = f"with {_NAMES[kind]} {called(link.name)} acting on {called(end)} only, and not on its other end"
-            yield Variation(
-                clause, f"both ends of {_NAMES[kind]} {called(link.name)}", _with_shares(m, kind, {link.name: shares})
-            )
+            changed = _with_shares(m, kind, {link.name: shares})
+            yield end, Variation(clause, f"both ends of {_NAMES[kind]} {called(link.name)}", changed)
 
 
 def _pull(link: StretchedSpring | DamperForce, m: Mechanics) -> sp.Expr:

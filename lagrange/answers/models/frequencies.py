@@ -8,17 +8,20 @@ except with a negligible probability.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations, permutations
 from random import Random
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.limits import MOST_FREQUENCIES, MOST_IN_SERIES, RANDOM_DIGITS, RANDOM_ZERO_DIGITS
 from lagrange.answers.models.mechanics import AppliedForceKind, ForceShare, Inertia, Mechanics, called
+from lagrange.answers.models.one_place import of_damping
 from lagrange.answers.models.pairs import LIKELY
 from lagrange.answers.models.search import Models
 from lagrange.core.symbols import base, partial, t
+from lagrange.mechanics.equilibrium.linearization import Linearization
 
 _LIKELY = LIKELY | {
     "carried weight left out",
@@ -230,3 +233,36 @@ def leibniz_determinant(matrix: Matrix) -> sp.Expr:
         sign = (-1) ** sum(a > b for i, a in enumerate(order) for b in order[i + 1 :])
         total += sign * sp.prod([matrix[i][j] for i, j in enumerate(order)])
     return total
+
+
+def of_damped(
+    claims: Sequence[sp.Expr],
+    right: Sequence[Sequence[sp.Expr]],
+    linearizations: Sequence[Linearization],
+    *,
+    squared: bool,
+) -> Iterator[str]:
+    """What is wrong in claims about ω², or about the decay rates, of damped oscillations; sentences, or empty ones.
+
+    right  those at each equilibrium
+    """
+    for linearization in linearizations:
+        coordinates = linearization.configuration.slots.coordinates
+        for s in linearization.at:
+            if s is None or not 1 < len(s.system.mass) == len(coordinates):
+                continue
+            for j, q in enumerate(coordinates):
+                mass, damping, stiffness = (x[j][j] for x in (s.system.mass, s.system.damping, s.system.stiffness))
+                rate = damping / (2 * mass)
+                alone = stiffness / mass - rate**2 if squared else rate
+                if damping != 0 and any(_same(c, alone) for c in claims):
+                    what = "frequency" if squared else "rate"
+                    yield f"that is the {what} of {q} with the other coordinates held fast"
+    yield from (of_damping(c, e, squared=squared) for each in right for c in claims for e in each)
+
+
+def _same(a: sp.Expr, b: sp.Expr) -> bool:
+    try:
+        return is_zero(a - b) is True
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        return False

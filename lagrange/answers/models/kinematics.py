@@ -180,6 +180,13 @@ def left_out(m: Mechanics) -> Iterator[Variation]:
         yield Variation(f"without {a}, as if {a} = 0", f"{a}", values={a: sp.S.Zero})
 
 
+def doubled(m: Mechanics) -> Iterator[Variation]:
+    """A parameter is taken twice or half as large throughout: the diameter for the radius, the whole for the half."""
+    for a in _parameters(m):
+        for factor, stands in ((sp.Rational(1, 2), f"2*{a}"), (sp.Integer(2), f"{a}/2")):
+            yield Variation(f"with {stands} in place of {a} throughout", f"what {a} is", rule={a: factor * a})
+
+
 def surface_at_rest(m: Mechanics) -> Iterator[Variation]:
     """A moving surface, f(x − u t, y, z) = c, is treated as fixed: f(x, y, z)."""
     entries = [e for row in m.configuration.rows for e in row.coefficients]
@@ -306,31 +313,44 @@ def _kinetic(m: Mechanics, parts: Sequence[Inertia], speeds: QuasiVelocities) ->
 # Rolling and being carried round
 
 
-def other_angular_velocity(m: Mechanics) -> Iterator[Variation]:
-    """A body that turns by one angle turns faster or slower, by the rate of the line to its centre or by a factor 2."""
-    for r in m.rotations:
-        axes = [a for a in range(3) if any(column[a] != 0 for column in r.columns)]
-        if len(axes) != 1:
-            continue
-        [axis] = axes
+def turning_otherwise(m: Mechanics) -> Iterator[Variation]:
+    """The angle of a body that is carried round is counted from the line to its centre, or that rate is omitted."""
+    for r, axis in _about_one_axis(m):
         place = f"the angular velocity of {called(r.name)}"
         for i in _carried_round_by(r, m):
             v = m.slots.velocities[i]
             for sign, words in ((1, f"{v} added to"), (-1, f"{v} subtracted from")):
                 turned = replace(r, columns=_added(r, i, axis, sign))
                 clause = f"with {words} the angular velocity of {called(r.name)}, as if its angle were counted from"
-                yield Variation(f"{clause} the line to its centre", place, _turning(m, r, turned))
+                clause = f"{clause} the line to its centre"
+                if is_zero(turned.columns[i][axis]) is True:
+                    clause = f"without {v} in the angular velocity of {called(r.name)}"
+                yield Variation(clause, place, turning(m, r, turned))
+
+
+def _about_one_axis(m: Mechanics) -> Iterator[tuple[Inertia, int]]:
+    for r in m.rotations:
+        axes = [a for a in range(3) if any(column[a] != 0 for column in r.columns)]
+        if len(axes) == 1:
+            yield r, axes[0]
+
+
+def other_angular_velocity(m: Mechanics) -> Iterator[Variation]:
+    """A body that turns by one angle turns faster or slower, by the rate of the line to its centre or by a factor 2."""
+    yield from turning_otherwise(m)
+    for r, axis in _about_one_axis(m):
+        place = f"the angular velocity of {called(r.name)}"
         for i in _carried_round_by(r, m):
             unit = [[sp.S.Zero] * 3 for _ in r.columns]
             unit[i][axis] = sp.S.One
             turned = replace(r, columns=tuple((c[0], c[1], c[2]) for c in unit))
             if turned.columns != r.columns:
                 clause = f"for {called(r.name)} turning at the rate {m.slots.velocities[i]} of the line to its centre"
-                yield Variation(clause, place, _turning(m, r, turned))
+                yield Variation(clause, place, turning(m, r, turned))
         for factor, how in ((sp.Integer(2), "twice"), (sp.Rational(1, 2), "half")):
             if len(m.rotations) + len(m.particles) > 1:
                 scaled = replace(r, columns=tuple(_times(factor, c) for c in r.columns))
-                yield Variation(f"for {called(r.name)} turning {how} as fast", place, _turning(m, r, scaled))
+                yield Variation(f"for {called(r.name)} turning {how} as fast", place, turning(m, r, scaled))
 
 
 def moved_at_another_rate(m: Mechanics) -> Iterator[Variation]:
@@ -356,7 +376,7 @@ def other_transmission(m: Mechanics) -> Iterator[Variation]:
             if m.may_be_exchanged(lost, taken):
                 columns = tuple(_replaced(column, lost, taken) for column in r.columns)
                 clause = f"with {taken} in place of {lost} in the angular velocity of {called(r.name)}"
-                turned = _turning(m, r, replace(r, columns=columns))
+                turned = turning(m, r, replace(r, columns=columns))
                 yield Variation(clause, f"the angular velocity of {called(r.name)}", turned)
 
 
@@ -370,7 +390,7 @@ def _other_constraints(m: Mechanics) -> Iterator[Variation]:
     constant = all(m.slots.coordinates and not a.free_symbols & {*_moving(m)} for r in rows for a in r.coefficients)
     for j, row in enumerate(rows) if simple and constant else ():
         bound = [k for k, a in enumerate(row.coefficients) if a != 0]
-        if len(bound) != 2 or not all(_is_accelerated_only(k, m) for k in bound):
+        if len(bound) != 2 or not all(is_accelerated_only(k, m) for k in bound):
             continue
         k, other = bound
         a, b = (row.coefficients[i] for i in bound)
@@ -395,7 +415,7 @@ def _moving(m: Mechanics) -> tuple[sp.Symbol, ...]:
     return (*m.slots.coordinates, *m.slots.velocities, *m.slots.prescribed, t)
 
 
-def _is_accelerated_only(k: int, m: Mechanics) -> bool:
+def is_accelerated_only(k: int, m: Mechanics) -> bool:
     """Whether a coordinate occurs by its acceleration alone."""
     q, v = m.slots.coordinates[k], m.slots.velocities[k]
     columns = [c for i in m.inertias for column in i.columns for c in column]
@@ -444,7 +464,7 @@ def _times(factor: sp.Expr, column: Components) -> Components:
     return factor * a, factor * b, factor * c
 
 
-def _turning(m: Mechanics, old: Inertia, new: Inertia) -> Mechanics:
+def turning(m: Mechanics, old: Inertia, new: Inertia) -> Mechanics:
     """The system with another angular velocity of a body, and the moments on it doing work accordingly."""
     changed = m.inertia(lambda i: new if i == old else i)
     own = next(a for a in range(3) if any(c[a] != 0 for c in old.columns))

@@ -24,7 +24,7 @@ from lagrange.answers.limits import MAX_LETTER_VARIATIONS
 from lagrange.answers.models.mechanics import Variation
 from lagrange.answers.models.search import Models, changed_space
 from lagrange.answers.models.states import ModelState
-from lagrange.core.symbols import Slots, base, prime, t
+from lagrange.core.symbols import Bounded, Slots, base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 
@@ -58,6 +58,9 @@ def _letters(
     for a, b in combinations(used, 2):  # m_1 and m_2
         if a.name.rstrip("0123456789") == b.name.rstrip("0123456789"):
             yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
+    for p in used:
+        if isinstance(p, Bounded) and (p.low, p.high) == (0, 1):
+            yield Variation(f"with 1 - {p} in place of {p}", f"what {p} is a part of", rule={p: 1 - p})
     for q in slots.coordinates:
         yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
         if any(q in w.free_symbols for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan)):
@@ -66,8 +69,8 @@ def _letters(
     for p in sorted(used, key=lambda p: p in lengths):
         yield Variation(f"for {p} with the opposite sign", f"the sign of {p}", rule={p: -p})
     for p in used:
-        for factor, word in ((sp.Rational(1, 2), "twice as large"), (sp.Integer(2), "half as large")):
-            yield Variation(f"for {p} {word}", f"the factor of {p}", rule={p: factor * p})
+        for factor, stands in ((sp.Rational(1, 2), f"2*{p}"), (sp.Integer(2), f"{p}/2")):
+            yield Variation(f"with {stands} in place of {p}", f"the factor of {p}", rule={p: factor * p})
     waves = {s for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in w.free_symbols}
     for q in sorted(waves, key=str):
         rule = {q: sp.pi / 2 - q}
@@ -108,6 +111,8 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             row, space = states[0].row(claim), models.space(number, variation)
             if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
                 return f"this is the reaction {variation.clause}"
+        if multiple := _multiple_of_reaction(claim, models, states):
+            return multiple
         for variation in variations:
             if variation not in likely and all(claim_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
@@ -115,9 +120,20 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
         more = sorted(claim.free_symbols - own - bound, key=str)
         if more and not any(base(s) in (*slots.coordinates, *slots.prescribed, t) for s in more):
-            return f"the right answer does not depend on {', '.join(map(str, more))}"
+            return f"the reaction in an arbitrary state does not depend on {', '.join(map(str, more))}"
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass
+    return ""
+
+
+def _multiple_of_reaction(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> str:
+    """Whether a reaction is twice or half as large as the right one; a sentence, or empty."""
+    forces = [m for m in models.system.multipliers if m in claim.free_symbols]
+    for factor, how in ((sp.Rational(1, 2), "half"), (sp.Integer(2), "twice")) if len(forces) == 1 else ():
+        [force] = forces
+        right = Variation("", "", rule={force: factor * force})
+        if all(claim_holds(claim, right, at) for at in states):
+            return f"it is {how} as large as it should be"
     return ""
 
 

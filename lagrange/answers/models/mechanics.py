@@ -144,6 +144,8 @@ class Mechanics:
     units      of the parameters, as far as the file gives them
     speeds     the quasi-velocities of the file
     multipliers  of the constraints that remain, as far as they are unknowns of the equations
+    places     of the particles and mass centres, in the coordinates of the file
+    ends       of the rods, by the names of their bodies
     """
 
     configuration: Configuration
@@ -154,6 +156,8 @@ class Mechanics:
     units: tuple[tuple[sp.Symbol, str], ...] = ()
     speeds: tuple[Speed, ...] = ()
     multipliers: tuple[sp.Symbol, ...] = ()
+    places: tuple[tuple[str, Vector], ...] = ()
+    ends: tuple[tuple[str, tuple[Vector, ...]], ...] = ()
 
     def may_be_exchanged(self, a: sp.Symbol, b: sp.Symbol) -> bool:
         """Whether two parameters are of the same kind, judging by their units."""
@@ -213,7 +217,15 @@ def mechanics_of(configuration: Configuration, problem: Problem, frictions: Sequ
     inertias = tuple(i for i in (*particles, *rotations) if i.moving and any(w != 0 for w in i.weights))
     everything = tuple(range(len(slots.coordinates)))
     units = tuple((p.symbol, p.unit) for p in problem.parameters)
-    return Mechanics(configuration, inertias, forces, tuple(frictions), everything, units, problem.speeds)
+    places = (*((p.name, p.position) for p in problem.particles), *((b.name, b.position) for b in problem.bodies))
+    ends = tuple(
+        (name, tuple(e.fixed().map(configuration.rewritten) for e in shape.ends))
+        for name, shape in sorted(problem.figure.shapes.items())
+        if shape.ends
+    )
+    return Mechanics(
+        configuration, inertias, forces, tuple(frictions), everything, units, problem.speeds, places=places, ends=ends
+    )
 
 
 def _turning(r: Rotation, columns: tuple[Components, ...]) -> Inertia:

@@ -22,6 +22,7 @@ LIKELY = frozenset(
         "gravity reversed",
         "friction the other way",
         "force reversed",
+        "momentum of exchanged mass",
         "moving frame or support taken as fixed",
         "rotational energy left out",
         "carried velocity left out",
@@ -34,6 +35,7 @@ LIKELY = frozenset(
         "dT/dq left out",
         "d/dt of a product half done",
         "energy of a spring or potential without its half",
+        "mass left out",
     )
 )
 

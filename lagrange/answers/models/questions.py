@@ -283,11 +283,14 @@ class _Setting:
                 return False
             reduced = whole.coeff(v, 0) + whole.coeff(v, 2) * square + whole.coeff(v, 4) * square**2
             tested |= bool(stated) and reduced.has(*quantity.free_symbols)
+            if stated and is_zero(reduced) is True:
+                return False  # it would hold for every value
             for more in (known, stated):
                 reduced = reduced.xreplace(more)
             if reduced.has(v) or (of_function and reduced.has(base(v))) or is_zero(reduced) is not True:
                 return False
-        return tested
+        there = sp.factor(square.xreplace(dict(known)).xreplace(stated)) if stated and quantity.is_Symbol else square
+        return tested and there.is_negative is not True  # v² is negative at no place
 
 
 def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:
@@ -345,6 +348,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
     from lagrange.answers.models.one_place import of_arguments, of_one_place
 
     yield from _of_forgotten_parameters(claim, right, fixed, lengths)
+    if right.is_Add:  # one of its terms is missing, which says more than that another letter is large
+        yield from _of_terms(claim, right)
+    yield from _of_large_parameters(claim, right, fixed, lengths)
     yield from _of_right_angles(claim, right)
     yield from _of_terms(claim, right)
     if claim.func is right.func and isinstance(right, sp.acos | sp.asin | sp.atan):
@@ -369,13 +375,20 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
 def _of_forgotten_parameters(
     claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]
 ) -> Iterator[str]:
-    """Parameters that are 0 in the answer, or very large."""
+    """Parameters that are 0 in the answer."""
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=lambda p: (p in lengths, str(p))):
         special = _without(sp.together(right), p)
         if special.has(sp.nan, sp.zoo, sp.oo):
             special = claim if _tends_to(right, p, claim) else sp.nan
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
+
+
+def _of_large_parameters(
+    claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]
+) -> Iterator[str]:
+    """Parameters that are very large in the answer."""
+    for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
         if (
             p not in lengths
             and right.is_rational_function(p)
@@ -410,8 +423,17 @@ def _of_terms(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
         for term in terms:
             for factor, how in _HOW:
                 if _same(stated, derived + factor * term):
-                    what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
-                    yield how.format(what) + ("" if "denominator" in where else where)
+                    shown = sp.expand(_of_denominator(term, form(right)) if "denominator" in where else term)
+                    yield how.format(f"the term {_written(_unsigned(shown))}{where}")
+
+
+def _of_denominator(term: sp.Expr, inverse: sp.Expr) -> sp.Expr:
+    """A term of the inverse of a value as a term of its denominator; of a sum among its factors, if that is one."""
+    above, below = sp.fraction(sp.factor(inverse))
+    share = sp.cancel(term * below)
+    sums = [f for f in sp.Mul.make_args(above) if f.is_Add]
+    parts = [sp.cancel(share * f / above) for f in sums]
+    return next((p for f, p in zip(sums, parts, strict=True) if p in f.args), share)
 
 
 def _plain_ratio(claim: sp.Expr, right: sp.Expr) -> sp.Expr | None:

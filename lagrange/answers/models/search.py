@@ -268,6 +268,13 @@ def explained(equations: Sequence[sp.Expr], wrong: Sequence[int], models: Models
         whole = search.variation(range(len(equations)), combined=True)
         if whole is not None:
             return (said_of_all(*whole, len(equations)),) * len(wrong)
+        # Wrong lines of the working, a velocity or an energy, need not follow from what the equations do.
+        accelerations = {*models.system.configuration.slots.accelerations}
+        moving = [n for n, e in enumerate(equations) if not e.free_symbols.isdisjoint(accelerations)]
+        part = search.variation(moving, combined=True) if 0 < len(moving) < len(equations) else None
+        if part is not None:
+            said = said_of_all(*part, len(moving))
+            return tuple(said if n in moving else search.equation(n) for n in wrong)
         return tuple(search.equation(n) for n in wrong)
     except unusable:
         return nothing

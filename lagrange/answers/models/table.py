@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from lagrange.answers.models import forces, kinematics, kinetic
+from lagrange.answers.models import composed, forces, kinematics, kinetic
 from lagrange.answers.models.mechanics import Mechanics, Variation
 from lagrange.core.records import record
 
@@ -43,6 +43,8 @@ MODELS = (
     Model("rotational energy left out", kinetic.rotation_left_out),
     Model("carried velocity left out", kinetic.velocity_left_out),
     Model("product of velocities in T left out", kinetic.product_left_out),
+    Model("part of a velocity left out", composed.part_left_out),
+    Model("product of parts of a velocity left out", composed.product_of_parts_left_out),
     Model("moment of inertia of another body", kinetic.other_inertia),
     Model("gravity left out", forces.gravity_left_out),
     Model("friction left out", forces.friction_left_out),
@@ -51,6 +53,7 @@ MODELS = (
     Model("spring with its length for its extension", forces.spring_by_length),
     Model("carried weight left out", forces.carried_weight_left_out),
     Model("force left out", forces.force_left_out),
+    Model("one weight reversed", forces.one_weight_reversed),
     Model("dT/dq left out", kinetic.gradient_left_out),
     Model("d/dt of a product half done", kinetic.product_half_done),
     Model("Coriolis terms", kinetic.mixed_terms),
@@ -79,6 +82,7 @@ MODELS = (
     Model("complementary angle", kinematics.complement),
     Model("parameters exchanged", kinematics.exchanged),
     Model("parameter left out", kinematics.left_out),
+    Model("parameter twice or half as large", kinematics.doubled),
     Model("sum for difference of lengths", kinematics.sum_of_lengths),
     Model("one parameter for another", kinematics.one_for_another),
     Model("force in the wrong equation", forces.in_the_wrong_equation),
@@ -86,11 +90,13 @@ MODELS = (
     Model("absolute for relative motion in a spring or damper", forces.against_the_ground),
     Model("factor of a constraint", kinematics.other_transmission),
     Model("angular velocity of what rolls or is carried", kinematics.other_angular_velocity),
+    Model("rolling by the absolute velocity", composed.rolling_of_absolute_velocity),
     Model("moment of inertia with another factor", kinetic.odd_inertia),
     Model("mass of another part", kinetic.mass_of_another),
     Model("small angles in the kinetic energy", kinetic.angles_small_in_energy),
     Model("radius for the distance from an axis", kinetic.radius_for_distance),
     Model("length left out of a position", kinetic.length_left_out),
+    Model("centre taken to lie on the line that carries it", composed.offset_left_out),
     Model("length doubled in a position", kinetic.length_doubled),
     Model("another rate of what a constraint moves", kinematics.moved_at_another_rate),
     Model("product of velocities in T with another factor", kinetic.product_scaled),

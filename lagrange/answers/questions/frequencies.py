@@ -579,10 +579,10 @@ def _of_exponents(
     why = f"not right: {', '.join(wrong)}" if wrong else _SEVERAL
     if undamped:
         return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}")
-    from lagrange.answers.models.one_place import of_damping
+    from lagrange.answers.models.frequencies import of_damped
 
     claimed = [as_written(c) for claims in lists for c in claims if {p.has(c, squared) for p in places} == {-1}]
-    causes = (of_damping(c, e, squared=squared) for p in places for c in claimed if p.exact for e in p.exact)
+    causes = of_damped(claimed, [p.exact or () for p in places], linearizations, squared=squared)
     return AnswerVerdict(worst, name=name, diagnosis="; ".join(filter(None, [why, next(filter(None, causes), "")])))
 
 

@@ -18,6 +18,8 @@ from lagrange.answers.limits import AMPLITUDE_DRAWS, MOST_AMPLITUDES, RANDOM_DIG
 from lagrange.answers.results.meanings import other_meanings
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
+from lagrange.document.math_writer import text
+from lagrange.document.names import Notation
 from lagrange.mechanics.equilibrium.response import Response
 
 _SMALL = sp.Float(10) ** -RANDOM_ZERO_DIGITS
@@ -63,6 +65,8 @@ def explained_amplitudes(stated: Mapping[str, sp.Expr], response: Response) -> s
 
     if len(places) == 2 and given_by(lambda d, n: d.value(right[1 - n])):
         return f"the amplitudes of {slots.coordinates[0]} and {slots.coordinates[1]} are exchanged"
+    if len(places) == 1 and (why := _of_phase(response, given_by)):
+        return why
     for clause, equations in _changes(response):
         if given_by(lambda d, n, e=equations: d.square(e, n)):  # type: ignore[misc]
             return f"these are the amplitudes {clause}" if len(claims) > 1 else f"this is the amplitude {clause}"
@@ -74,6 +78,28 @@ def explained_amplitudes(stated: Mapping[str, sp.Expr], response: Response) -> s
                 else f"this is the amplitude {meaning.clause}"
             )
     return ""
+
+
+def _of_phase(response: Response, given_by: Callable[[Callable[[_Draw, int], sp.Expr]], bool]) -> str:
+    """Whether stiffness and damping are added as if they were in phase, or a root or square is missing; a sentence."""
+    system, w = response.forced.free.system, response.drive.frequency
+    in_phase = system.stiffness[0][0] - w**2 * system.mass[0][0]
+    across = w * system.damping[0][0]
+    right = sp.Add(response.cosines[0] ** 2, response.sines[0] ** 2)
+    force = sp.sqrt(right * (in_phase**2 + across**2))
+    stiffness, damping = (text(e, Notation()) for e in (in_phase, across))
+    ways = [(force / (in_phase + sign * across), _ADDED.format(stiffness, damping)) for sign in (1, -1)]
+    ways.append((force / sp.sqrt(in_phase**2 - across**2), f"the sign of ({damping})^2 under the root is wrong"))
+    ways.append((right, "the root is missing"))
+    if across == 0:
+        ways = []
+    return next((said for e, said in ways if given_by(lambda d, _, e=e: d.value(e) ** 2)), "")  # type: ignore[misc]
+
+
+_ADDED = (
+    "{} and {} are added as if they had one phase: they are a quarter of a period apart, so that the root of the sum "
+    "of their squares counts"
+)
 
 
 def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:

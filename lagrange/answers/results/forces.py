@@ -43,7 +43,7 @@ RATIOS = tuple(sp.Rational(p, q) for p, q in ((2, 1), (1, 2), (3, 2), (2, 3), (3
 _NUMBER = "only a number is wrong in it: the force is {} times as large"
 
 
-def explained_force(equation: sp.Expr, candidate: ReferenceCandidate) -> str:
+def explained_force(equation: sp.Expr, candidate: ReferenceCandidate, reference: Reference) -> str:
     """What the stated force is, in a sentence; empty if the equation states none, or that is not found.
 
     An equation with accelerations is one of motion, and no value of a force.
@@ -57,8 +57,12 @@ def explained_force(equation: sp.Expr, candidate: ReferenceCandidate) -> str:
     if force in slope.free_symbols or any(base(s) != s and base(s) in slots.coordinates for s in slope.free_symbols):
         return ""
     from lagrange.answers.models.letters import explained_reaction
+    from lagrange.answers.models.one_body import explained_by_one_body
 
     opposite = equation.xreplace({force: -force})  # its name may stand for the opposite force
+    for stated in (equation, opposite):
+        if why := explained_by_one_body(stated, candidate, reference):
+            return why
     for stated in (equation, opposite):
         if why := explained_reaction(stated, candidate.models) or _multiple(stated, force, candidate):
             return why

@@ -59,7 +59,7 @@ from lagrange.answers.models.mechanics import (
     mechanics_of,
     written,
 )
-from lagrange.answers.models.table import MODELS
+from lagrange.answers.models.table import MODELS, Model
 from lagrange.core.symbols import Slots, Unspecified, partial, t
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.problem.model import Problem
@@ -115,6 +115,8 @@ class Resting:
             equation = equation.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
+            if e == 0:
+                continue  # it says the same as another one
             free = e.free_symbols - bound - {*rule, *fixed, t}
             letters = sorted(free, key=lambda s: (s in coordinates, s not in self.equilibrium.forces, str(s)))
             waves = sorted((w for w in e.atoms(sp.sin, sp.cos) if w.args[0] in coordinates), key=str, reverse=True)
@@ -130,10 +132,24 @@ class Resting:
                 return None
         return rule
 
-    def balanced(self, forces: Sequence[sp.Expr], rule: Substitution) -> bool:
-        """Whether forces E_k are balanced, by reactions alone, where a rule holds."""
+    def balanced(
+        self, forces: Sequence[sp.Expr], rule: Substitution, rows: Sequence[Sequence[sp.Expr]] | None = None
+    ) -> bool:
+        """Whether forces E_k are balanced, by reactions alone, where a rule holds.
+
+        An unknown force of which an answer says nothing may be any, as a reaction.
+        """
+        rows = [*(self.rows if rows is None else rows)]
+        open_ = self._unstated(rule)
+        slopes = [[f.diff(u) for f in forces] for u in open_]
+        if any(not a.free_symbols.isdisjoint(open_) for row in slopes for a in row) or len(open_) + len(rows) >= len(
+            forces
+        ):
+            slopes, open_ = [], []
+        forces = [f.xreplace(dict.fromkeys(open_, sp.S.Zero)) for f in forces]
+        rows += [row for row in slopes if any(a != 0 for a in row)]
         put = [f.xreplace(self.values).xreplace(dict(rule)) for f in forces]
-        rows = [[a.xreplace(self.values).xreplace(dict(rule)) for a in row] for row in self.rows]
+        rows = [[a.xreplace(self.values).xreplace(dict(rule)) for a in row] for row in rows]
         surface = self.configuration.surface
         size = len(rows) + 1
         try:
@@ -144,6 +160,11 @@ class Resting:
             )
         except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
             return False
+
+    def _unstated(self, rule: Substitution) -> list[sp.Symbol]:
+        """The unknown forces that an answer does not mention; none without an answer."""
+        used = {s for e in (*rule, *rule.values()) for s in e.free_symbols}
+        return [u for u in self.equilibrium.forces if rule and u not in used]
 
     def changed(self, problem: Problem) -> Iterator[tuple[Variation, tuple[sp.Expr, ...]]]:
         """The changed problems in which other forces act at rest, each with its E_k; none if the parts do not add up
@@ -158,8 +179,11 @@ class Resting:
             return
         if not same:
             return
+        from lagrange.answers.results.virtual_work import in_one_equation_only
+
         number = 0
-        for model in sorted(MODELS, key=lambda n: (n.name in _LESS_LIKELY) - (n.name in _LIKELIER)):
+        likeliest = sorted(MODELS, key=lambda n: (n.name in _LESS_LIKELY) - (n.name in _LIKELIER))
+        for model in (*likeliest, Model("force left out in one equation", in_one_equation_only)):
             for variation in model.changes(m):
                 changed = variation.mechanics
                 if changed is None or variation.quasi is not None or changed.kept != m.kept:
@@ -255,6 +279,13 @@ class WrongEquilibria:
             ) and not self.resting.balanced(forces, {}):
                 return variation.clause
         return ""
+
+    def of_differential(self, problem: Problem) -> str:
+        """The term of a constraint whose derivative is wrong, in a sentence; empty if not found."""
+        from lagrange.answers.results.virtual_work import of_differential
+
+        rules = [r for r in self.rules if r is not None]
+        return of_differential(rules, self.resting, problem) if self.tried else ""
 
     def of_one_force(self, problem: Problem) -> str:
         """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not

@@ -518,14 +518,21 @@ def without_idle(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     names = constraints_called(c.row.name for c in solution.classification.constraints)
     for step in steps:
         if step.rule is Rule.PRINCIPLE and isinstance(step.body[0], Prose):
+            idle = f"{capital(names)} only says what a coordinate means, and no force maintains it. "
+            kept, where = the(solution.own.configuration.points[0].name), _where_it_moves(solution)
             words = prose(
-                f"{capital(names)} only says what a coordinate means, and no force maintains it. The force that keeps "
-                f"{the(solution.own.configuration.points[0].name)} on its path is normal to the path: it does no "
-                "virtual work, and drops out of Newton's law multiplied by the virtual displacement:"
+                f"{idle if solution.classification.constraints else ''}The force that keeps {kept} on its {where} is "
+                f"normal to the {where}: it does no virtual work, and drops out of Newton's law multiplied by the "
+                "virtual displacement:"
             )
             yield replace(step, body=(words, *step.body[1:]))
         elif step.rule not in (Rule.REACTIONS, Rule.WORKLESS):
             yield step
+
+
+def _where_it_moves(solution: Solution) -> str:
+    """What a particle moves on that has a normal to all of its displacements."""
+    return "path" if solution.classification.degrees_of_freedom == 1 else "surface"
 
 
 def reaction_along_normal(solution: Solution) -> Step | None:
@@ -540,5 +547,6 @@ def reaction_along_normal(solution: Solution) -> Step | None:
     sides = (DotProduct(VectorSymbol(f"R_{point.name}"), n), point.mass * DotProduct(moved, n) - applied,
              with_common_factor(reaction.value))  # fmt: skip
     line = display(Equation(sides, label=f"normal-{point.name}"), boxed=True, detail=Detail.BRIEF)
-    words = f"The force that keeps {the(point.name)} on its path is along its normal. By Newton's law it is"
+    kept = f"{the(point.name)} on its {_where_it_moves(solution)}"
+    words = f"The force that keeps {kept} is along its normal. By Newton's law it is"
     return Step(Rule.SOLVED_REACTIONS, "The reaction", (prose(words), line))

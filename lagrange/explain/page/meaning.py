@@ -29,7 +29,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
-from lagrange.explain.limits import LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
+from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
@@ -38,6 +38,7 @@ from lagrange.explain.words import plural
 from lagrange.mechanics.circular_motion import Turning
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
+from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
 from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquations, one_way
@@ -79,6 +80,7 @@ def explain_meaning(
     body += _rest(meaning)
     final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
     body += (_limit(limit, final) for limit in meaning.limits)
+    body += _contact(meaning)
     body += _units(meaning)
     body += _caution(meaning)
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
@@ -87,6 +89,20 @@ def explain_meaning(
 def operations_of_equations(stated: StatedEquations) -> int:
     """How many operations it takes to write equations with everything on one side."""
     return sum(count_operations(left - right) for left, *_, right in stated)
+
+
+def are_solved(view: InCoordinates, stated: StatedEquations, operations: int) -> bool:
+    """Whether each stated equation gives one acceleration, and all of them are given, in hardly more operations.
+
+    Then they need no exception, where equations of motion with the constraint beside them need one: x' ≠ 0.
+    """
+    accelerations = {*view.configuration.slots.accelerations}
+    given = [
+        ({*left.free_symbols} & accelerations, {*right.free_symbols} & accelerations) for left, *_, right in stated
+    ]
+    whole = {a for left, _ in given for a in left} == accelerations and len(given) == len(accelerations)
+    alone = all(len(left) == 1 and not right for left, right in given)
+    return whole and alone and operations_of_equations(stated) <= LONGER_SOLVED * operations
 
 
 def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
@@ -102,8 +118,9 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
     if all(len(sides) == 2 and meaning.constant.get(sides[0]) == sides[1] for sides in stated):
         return  # they are among the accelerations
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
-    if operations_of_equations(stated) < sum(
-        count_operations(e) for e in (*(e.expression for e in motion.final), *rates)
+    operations = sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates))
+    if operations_of_equations(stated) < operations or (
+        motion.completing and are_solved(meaning.view, stated, operations)
     ):
         yield prose(Emphasis("In short"), ",", purpose=Purpose.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)
@@ -297,7 +314,10 @@ def _accelerations(meaning: ResultMeaning) -> Iterator[Block]:
     step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
     names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
     which = ", all of them constant:" if whole else " that are constant:"
-    yield prose(Emphasis("Accelerations"), which, purpose=Purpose.CONSTANT_RATES)
+    if whole and len(meaning.constant) == 1:
+        yield prose(Emphasis("Acceleration"), ", which is constant:", purpose=Purpose.CONSTANT_RATES)
+    else:
+        yield prose(Emphasis("Accelerations"), which, purpose=Purpose.CONSTANT_RATES)
     yield from with_named_denominators(step, names).body
 
 
@@ -343,8 +363,18 @@ def _turning(meaning: ResultMeaning) -> Iterator[Block]:
     yield prose(
         *(Emphasis("Turning"), ": for axes that turn at the rate ", math(turning.rate), " the velocities drop out"),
         *(*order, ": there ", *laws, ". "),
+        *_if_bounded(turning),
         "An oscillation along one of these axes stays along it, and turns with it.",
     )
+
+
+def _if_bounded(turning: Turning) -> tuple[Part, ...]:
+    """`They oscillate, and x and y stay bounded, if B² q² > 2 m² w².`"""
+    if turning.bounded is None:
+        return ()
+    pair = (math(turning.first), " and ", math(turning.second))
+    condition = math(*turning.bounded, relation=">")
+    return ("They oscillate, and ", *pair, " stay bounded, if ", condition, "; otherwise ", *pair, " in general grow. ")
 
 
 def _as_a_product(meaning: ResultMeaning, turning: Turning) -> tuple[Part, ...]:
@@ -447,6 +477,13 @@ def _limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
     if limit.reactions:
         forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))
     return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".", purpose=Purpose.LIMIT)
+
+
+def _contact(meaning: ResultMeaning) -> Iterator[Block]:
+    """`Contact: N > 0 while θ'² < (g/R) cos θ.`"""
+    for end in meaning.ends:
+        lasts = math(end.velocity**2, end.square, relation=end.relation)
+        yield prose(Emphasis("Contact"), ": ", math(end.force, sp.S.Zero, relation=">"), " while ", lasts, ".")
 
 
 def _units(meaning: ResultMeaning) -> Iterator[Block]:

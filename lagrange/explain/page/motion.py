@@ -330,13 +330,14 @@ def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
     rule = {} if form is None or not ends_with_speeds(solution) else rates_by_speeds(solution.problem.slots, form)
 
     known: set[str] = set()  # of the head, which comes before the quasi-velocities are defined
+    plain: dict[sp.Expr, sp.Expr] = {}  # and has a velocity itself, where a quasi-velocity is one
 
     def side(value: Mathematics) -> Mathematics:
         if not isinstance(value, sp.Expr) or not value.has(*rule) or count_operations(value) > LONGEST_MULTIPLIER:
             return value
         if isinstance(value, TimeDerivative):
             return TimeDerivative(side(value.args[0]))
-        shorter = substituted(value, rule)
+        shorter = substituted(value, rule).xreplace(plain)
         new = {s.name.rstrip("'") for s in shorter.free_symbols - value.free_symbols}
         return shorter if count_operations(shorter) < count_operations(value) and not new - known else value
 
@@ -351,8 +352,15 @@ def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
     speeds = set() if form is None else {u.name for u in form.velocities.symbols}
     for step in steps:
         known |= _names(step) if step.rule is Rule.RESULT else speeds
+        plain = _plain(form) if step.rule is Rule.RESULT and form is not None else {}
         after = rule and step.rule in _AFTER_MOTION and not step.folded
         yield replace(step, body=tuple(map(block, step.body))) if after else step
+
+
+def _plain(form: QuasiVelocityForm) -> dict[sp.Expr, sp.Expr]:
+    """The quasi-velocities that are the velocity of a coordinate, with it, and their rates: ω = θ'."""
+    pairs = {u: v for u, v in form.velocities.definitions.items() if isinstance(v, sp.Symbol)}
+    return {**pairs, **{prime(u): prime(v) for u, v in pairs.items()}}
 
 
 def _names(step: Step) -> set[str]:

@@ -35,16 +35,17 @@ from lagrange.explain.limits import (
     LONGEST_ACCELERATION,
     LONGEST_ANSWER,
     LONGEST_ANSWER_CONDITIONS,
+    LONGEST_ASKED,
     LONGEST_FREQUENCY,
     LONGEST_RADICAND,
     LONGEST_RESULT,
     MOST_RESULTS,
 )
-from lagrange.explain.page.meaning import operations_of_equations
+from lagrange.explain.page.meaning import are_solved, operations_of_equations
 from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.page.shorter.reactions import LABEL
 from lagrange.explain.page.system import explain_independence
-from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, sign_conditions, spoken
+from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.results import InCoordinates, Solution, values_in
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
@@ -104,7 +105,9 @@ def explain_result(
     _shorten(solution, kept)
     freedom = solution.classification.degrees_of_freedom
     while kept and not _is_short(kept.values()):
-        longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(e.operations for e in kept[rule])))
+        # What is asked stays to the last.
+        others: list[Rule] = [rule for rule in kept if rule is not Rule.QUESTION] or [*kept]
+        longest = max(others, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(e.operations for e in kept[rule])))
         held = freedom == 0 and Rule.EQUILIBRIUM in kept  # then the reactions are what is sought
         kept.pop(Rule.EQUILIBRIUM if held else Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
@@ -306,7 +309,7 @@ def _from_steps(
             unnamed = {r.multiplier for r in solution.law.newton.reactions if not r.named and r.given is None}
             lines = [e for e in lines if e.sides[0] not in unnamed or e.sides[1] != 0]
             lines = [e for e in lines if e.sides[0] not in unnamed] or lines
-        if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(stated, lines):
+        if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(solution.chosen, stated, lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
 
@@ -316,9 +319,14 @@ def _is_sum(e: Equation) -> bool:
     return (e.label or "").startswith(LABEL)
 
 
-def _is_better(stated: StatedEquations, lines: Sequence[Equation]) -> bool:
-    """Whether the form of the answers is shorter; or as short, and the same with a term on the right: m x'' = F."""
+def _is_better(view: InCoordinates, stated: StatedEquations, lines: Sequence[Equation]) -> bool:
+    """Whether the form of the answers is shorter; or as short, and the same with a term on the right: m x'' = F.
+
+    Or whether it is solved for the accelerations, and so needs no exception.
+    """
     before, after = sum(e.operations for e in lines), operations_of_equations(stated)
+    if any(e.condition for e in lines) and are_solved(view, stated, before):
+        return True
     if after != before or len(lines) != len(stated):
         return after < before
     plain = all(e.sides[-1] == 0 and isinstance(e.sides[0], sp.Expr) and not e.condition for e in lines)
@@ -422,7 +430,7 @@ def _impact(solution: Solution) -> Iterator[Equation]:
 
 def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
     """The short answers to a question, with what they are in degrees."""
-    from lagrange.explain.questions import angle_of, answer_line
+    from lagrange.explain.questions import angle_of, answer_line, where_it_holds
 
     values = values_in(solution)
     branches: Sequence[AnswerBranch] = asked.branches
@@ -439,7 +447,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
             yield replace(line, condition=("when ", *listed(map(as_stated, asked.question.when))))
     for b in branches:
         line = answer_line(b)
-        too_long = line.operations > LONGEST_ANSWER
+        too_long = line.operations > LONGEST_ASKED
         if too_long or (values is not None and _hides_units(asked, b, values)):
             number = None if len(branches) > 1 or values is None else _in_numbers(asked, b, values)
             if number is None and too_long:
@@ -448,10 +456,10 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
             clauses.append(("when ", *listed(map(as_stated, asked.question.when))))
-        if sum(count_operations(c.lhs - c.rhs) for c in b.conditions) > LONGEST_ANSWER_CONDITIONS:
+        if sum(count_operations(c.lhs - c.rhs) for c in b.beyond_square) > LONGEST_ANSWER_CONDITIONS:
             clauses.append(("under conditions that are given below",))
         elif b.conditions:
-            clauses.append(("where ", *sign_conditions(b.conditions)))
+            clauses.append(where_it_holds(b))
         angle = angle_of(asked, b)
         if angle is not None:
             clauses.append(("that is ", angle))

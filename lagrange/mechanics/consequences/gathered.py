@@ -26,6 +26,14 @@ from lagrange.mechanics.consequences.oscillations import (
     double_resonance,
     sleeping_axis,
 )
+from lagrange.mechanics.consequences.time_dependent import (
+    FastDrive,
+    SlowChange,
+    UniformStiffness,
+    fast_drive,
+    slow_change,
+    uniform_stiffness,
+)
 from lagrange.mechanics.consequences.vectors import (
     ConeVector,
     ConstantSpin,
@@ -43,7 +51,10 @@ from lagrange.mechanics.rewriting.quasi_velocities import OneWay, one_way, rates
 
 @record
 class Consequences:
-    """Constant vectors and directions, hodograph, motion in the limit, beats, resonance, what stays upright."""
+    """Constant vectors and directions, hodograph, motion in the limit, beats, resonance, what stays upright.
+
+    Under a fast drive the mean motion, and amplitudes while a length changes slowly.
+    """
 
     spins: tuple[ConstantSpin, ...]
     cone: ConeVector | None
@@ -53,6 +64,9 @@ class Consequences:
     beats: Beats | None
     resonance: DoubleResonance | None
     sleeping: SleepingAxis | None
+    drive: FastDrive | None
+    slow: SlowChange | None
+    uniform: UniformStiffness | None
 
 
 def consequences(solution: Solution, view: InCoordinates) -> Consequences:
@@ -69,6 +83,9 @@ def consequences(solution: Solution, view: InCoordinates) -> Consequences:
         beats(view.linearization, parameters),
         double_resonance(view),
         sleeping_axis(solution, view, free_letter("n", "s", "nu", taken=taken)),
+        fast_drive(view),
+        slow_change(view),
+        None if solution.problem.initial else uniform_stiffness(view),
     )
 
 

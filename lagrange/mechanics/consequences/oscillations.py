@@ -170,7 +170,7 @@ def _resonance(view: InCoordinates, a: sp.Symbol, b: sp.Symbol) -> DoubleResonan
         squares.append(sp.cancel(linear[0] / linear[2]))
     if not all(s.is_positive for s in squares) or not _drives(of_a, b, rest, squares[1]):
         return None
-    condition = _condition(squares[0] - 4 * squares[1])
+    condition = between_positive_sums(squares[0] - 4 * squares[1])
     if condition is None:
         return None
     return DoubleResonance(a, b, {a: textbook_form(value), b: sp.S.Zero}, (squares[0], squares[1]), condition)
@@ -187,7 +187,7 @@ def _drives(e: sp.Expr, b: sp.Symbol, rest: Mapping[sp.Symbol, sp.Expr], square:
     return is_zero(amplitude) is False
 
 
-def _condition(difference: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+def between_positive_sums(difference: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     """The difference = 0 as an equation between two sums of positive terms; None if it has no solution."""
     numerator = sp.factor_terms(sp.numer(sp.together(difference)))
     sums = [f for f in sp.Mul.make_args(sp.factor(numerator)) if isinstance(f, sp.Add)]

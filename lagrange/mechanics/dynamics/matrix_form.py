@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from lagrange.algebra.fourier.elements import Element
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -39,10 +40,12 @@ def matrix_form(motion: EquationsOfMotion) -> MatrixForm:
     configuration, principle = motion.configuration, motion.principle
     slots = configuration.slots
     form = principle.textbook.form
+    written: dict[Element, sp.Expr] = {}  # M is symmetric: most of its entries occur twice
     mass, force = [], []
     for element in principle.coefficients:
         coefficients, rest = principle.ring.linear(element, slots.accelerations)
-        mass.append(tuple(form(c) for c in coefficients))
+        written |= {c: form(c) for c in coefficients if c not in written}
+        mass.append(tuple(written[c] for c in coefficients))
         force.append(form(-rest))
     no_acceleration = dict.fromkeys(slots.accelerations, sp.S.Zero)
     rates = (rate.xreplace(no_acceleration) for rate in configuration.accelerated_constraints)

@@ -237,7 +237,7 @@ def _differences(row: Row, configuration: Configuration) -> dict[sp.Expr, sp.Exp
     places = [row.finite or sp.S.Zero, *configuration.substitution.values()]
     differences: dict[sp.Expr, sp.Expr] = {}
     for e in (a for place in places for a in place.atoms(sp.Add)):
-        if e.is_positive is None and all(s.is_positive for s in e.free_symbols) and len(e.free_symbols) > 1:
+        if len(e.free_symbols) > 1 and all(s.is_positive for s in e.free_symbols) and e.is_positive is None:
             if e in differences and differences[e] != e:
                 return {}
             differences |= {e: e, -e: e}

@@ -41,7 +41,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, with_shares_of_pi
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero, rank
@@ -69,7 +69,18 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     known = tuple(c for q, r in ranges.items() for c in _known(q, r, solution))
     more = [c for q, r in ranges.items() for c in _conditions(q, r, kept, solution, positive)]
     conditions = tuple(dict.fromkeys([*b.conditions, *more]))
-    return replace(b, points=kept, implied=(*b.implied, *known), conditions=conditions)
+
+    def inside(q: sp.Symbol, value: sp.Expr) -> bool:
+        turned = [_is_between(value + turn, ranges[q]) for turn in (0, 2 * sp.pi, -2 * sp.pi) if q in ranges]
+        return turned == [True, False, False]
+
+    restricted = replace(b, points=kept, implied=(*b.implied, *known), conditions=conditions)
+    return with_shares_of_pi(restricted, solution.letters, solution.unknowns, inside)
+
+
+def _is_between(value: sp.Expr, limits: Range) -> bool:
+    """Whether a number is certainly in a range; False where the range is given by letters."""
+    return bool(limits.low.is_number and limits.high.is_number and limits.low <= value <= limits.high)
 
 
 def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr, ...], bool]:

@@ -260,10 +260,10 @@ def _same_equations(linear: Linearization) -> Iterator[bool | None]:
             continue
         n = sp.Matrix(s.shape)
         stated = {q: b.common[q] for q in slots.coordinates if q in b.common}
+        pairs = zip(tables, (s.system.mass, s.system.damping, s.system.stiffness), strict=True)
+        differences = dict.fromkeys(e for table, matrix in pairs for e in n.T * table * n - sp.Matrix(matrix))
         for point in ({**stated, **p} for p in b.points[:MOST_COMPARED_POINTS]):
-            for table, matrix in zip(tables, (s.system.mass, s.system.damping, s.system.stiffness), strict=True):
-                difference = n.T * table * n - sp.Matrix(matrix)
-                yield from (_is_zero_at(linear, b, point, e) for e in difference)
+            yield from (_is_zero_at(linear, b, point, e) for e in differences)
 
 
 def _is_zero_at(linear: Linearization, b: Branch, point: Values, e: sp.Expr) -> bool | None:

@@ -561,8 +561,9 @@ def not_vanishing(
                 conditions += different_from_zero(base)
                 continue
             for f in (f for f, _ in bases(square) if sign_of(f, strict) is None):
-                sign = sign_of(f, known)
-                conditions += different_from_zero(f) if sign is None else [more_than_zero(sign * f)]
+                sign, different = sign_of(f, known), different_from_zero(f)
+                brief = all(count_operations(c.lhs - c.rhs) < count_operations(f) for c in different)
+                conditions += different if sign is None or brief else [more_than_zero(sign * f)]
     conditions = list(dict.fromkeys(conditions))
     shorter = further_conditions(conditions, b.conditions)
     return tuple(conditions) if shorter is None else shorter

@@ -271,8 +271,8 @@ def _by_discriminant(
         yield decay * (place + inner * t), () if sign == 0 else (_equal(d),)
     if sign in (1, None):
         w = square_root(d)
-        if c == 0:
-            yield place * sp.cosh(w * t) + inner / w * sp.sinh(w * t), _if_open(sign, more_than_zero(d))
+        if c == 0 or not (w / c).is_rational_function():  # e^(−2t), e^(−3t) are shorter than with their mean
+            yield decay * (place * sp.cosh(w * t) + inner / w * sp.sinh(w * t)), _if_open(sign, more_than_zero(d))
             return
         slow, fast = w - c / 2, -w - c / 2
         both = ((speed - fast * place) * sp.exp(slow * t) - (speed - slow * place) * sp.exp(fast * t)) / (2 * w)

@@ -95,6 +95,14 @@ class AnswerBranch:
     provided: bool = False
     limit: bool = False
 
+    @property
+    def beyond_square(self) -> tuple[SignCondition, ...]:
+        """The conditions, without those that say only that the right side is not negative, if the left is a square."""
+        if not isinstance(self.lhs, sp.Pow) or self.lhs.exp != 2 or self.rhs == 0:
+            return self.conditions
+        ratios = (sp.cancel((c.lhs - c.rhs) / self.rhs) if c.relation in "≥>" else sp.S.Zero for c in self.conditions)
+        return tuple(c for c, r in zip(self.conditions, ratios, strict=True) if not r.is_positive)
+
     def at(self, states: Sequence[Mapping[sp.Symbol, sp.Expr]]) -> AnswerBranch:
         """The part of the branch with some of its states, and with the values that the quantity has in these."""
         if len(states) == len(self.states):

@@ -2,7 +2,7 @@
 
     powers of t                         the roots of a polynomial
     A cos ωt + B sin ωt + C = 0         the first root after t = 0, where the signs determine it
-    e^{λt}, cosh λt, sinh λt            a polynomial in E = e^{λt}; t = log(E)/λ
+    e^{λt}, cosh λt, sinh λt            a polynomial in E = e^{λt}, or e^{rt} times one; t = log(E)/λ
     A log(u(t)) + B = 0                 u(t) = e^{−B/A}
 
 Roots that are certainly not positive are not listed.
@@ -203,26 +203,26 @@ def _first_of_wave(a: sp.Expr, b: sp.Expr, c: sp.Expr, w: sp.Expr) -> list[TimeR
 
 
 def _of_exponentials(e: sp.Expr) -> list[TimeRoot] | None:
-    """A polynomial in E = e^{λt} and 1/E."""
+    """A sum of c e^{rt} that is a polynomial in E = e^{λt} and 1/E, as it stands or divided by one of e^{rt}."""
     e = sp.expand(e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh), lambda f: f.rewrite(sp.exp, deep=False)))
-    exponents = {sp.expand(f.args[0]) for f in e.atoms(sp.exp) if t in f.free_symbols}
-    rates = {x.diff(t) for x in exponents}
-    if any(x != sp.expand(r * t) for x in exponents for r in [x.diff(t)]) or not rates:
-        return None
-    first = min(rates, key=lambda r: (count_operations(r), str(r)))
-    ratios = {r: sp.cancel(r / first) for r in rates}
-    if not all(q.is_Integer for q in ratios.values()):
-        return None
-    letter = sp.Dummy("E", positive=True)
-    rule = {sp.exp(r * t): letter**q for r, q in ratios.items()}
-    rule |= {f: letter ** ratios[f.args[0].diff(t)] for f in e.atoms(sp.exp) if t in f.free_symbols}
-    polynomial = sp.fraction(sp.together(e.xreplace(rule)))[0]
-    if t in polynomial.free_symbols:
-        return None
-    pieces = irreducible_factors(sp.expand(polynomial))
-    if pieces is None:
-        return None
-    return _logarithms(pieces, letter, first)
+    shares: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(e):
+        share, rest = term.as_independent(t, as_Add=False)
+        exponent = sp.expand(rest.args[0]) if isinstance(rest, sp.exp) else sp.S.Zero if rest == 1 else None
+        if exponent is None or t in exponent.diff(t).free_symbols or exponent.xreplace({t: sp.S.Zero}) != 0:
+            return None
+        rate = exponent.diff(t)
+        shares[rate] = shares.get(rate, sp.S.Zero) + share
+    for base in dict.fromkeys((sp.S.Zero, *shares)):
+        rates = {r: sp.expand(r - base) for r in shares}
+        first = min((r for r in rates.values() if r != 0), key=lambda r: (count_operations(r), str(r)))
+        ratios = {r: sp.cancel(difference / first) for r, difference in rates.items()}
+        if all(q.is_Integer for q in ratios.values()):
+            letter = sp.Dummy("E", positive=True)
+            polynomial = sp.Add(*(share * letter ** ratios[r] for r, share in shares.items()))
+            pieces = irreducible_factors(sp.expand(sp.fraction(sp.together(polynomial))[0]))
+            return None if pieces is None else _logarithms(pieces, letter, first)
+    return None
 
 
 def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list[TimeRoot] | None:

@@ -21,7 +21,7 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import in_sines, shortest_form
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.algebra.forms.frobenius import WedgeComponent, frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes, count_operations
@@ -93,6 +93,31 @@ class ReducedFrobenius:
 
     form: tuple[sp.Expr, ...]
     component: WedgeComponent
+
+
+def integral_in_angle(c: ConstraintAnalysis) -> sp.Expr | None:
+    """The finite relation in the one angle by which the geometric constraints were satisfied; None if it is no shorter.
+
+    x + l cos ψ + l ln|tan(ψ/2)| of a tractrix, for a + l ln|(x − a + l)/y| with a = x + l cos ψ, y = l sin ψ.
+    """
+    restriction = None if c.finite_form is None else c.finite_form.restriction
+    if restriction is None or c.integral is None or len(restriction.angles) != 1:
+        return None
+    psi = restriction.angles[0].symbol
+    half = sp.tan(psi / 2)
+    substituted = c.integral.xreplace(dict(restriction.rules))
+
+    def reduced(logarithm: sp.Expr) -> sp.Expr:
+        if not logarithm.has(sp.Abs):
+            return logarithm
+        square = logarithm.args[0].replace(sp.Abs, lambda x: x) ** 2
+        for short, cosine in ((half, sp.cos(psi)), (1 / half, -sp.cos(psi))):
+            if is_zero(square - (1 - cosine) ** 2 / sp.sin(psi) ** 2) is True:
+                return sp.log(sp.Abs(short))
+        return logarithm
+
+    relation: sp.Expr = substituted.replace(lambda e: isinstance(e, sp.log), reduced)
+    return relation if relation != substituted and psi in relation.free_symbols else None
 
 
 def frobenius_on_surface(row: Row, slots: Slots) -> ReducedFrobenius | None:

@@ -104,3 +104,71 @@ def both_roots(roots: Sequence[sp.Expr]) -> sp.Expr | None:
     if middle.has(*surds) or len(surds) != 1:
         return None
     return sp.factor_terms(sp.together(middle + SIGN_OF_ROOT * half))
+
+
+def with_like_terms(e: sp.Expr, letters: Collection[sp.Expr]) -> sp.Expr:
+    """Sums with (M + m) g for M g + m g: terms that differ in one of these letters only."""
+    if e.is_Atom:
+        return e
+    inner = [with_like_terms(a, letters) if isinstance(a, sp.Expr) else a for a in e.args]
+    if any(a is not b for a, b in zip(inner, e.args, strict=True)):
+        e = e.func(*inner)
+    if not e.is_Add:
+        return e
+    groups: dict[sp.Expr, list[sp.Expr]] = {}
+    for term in e.args:
+        own = [f for f in sp.Mul.make_args(term) if f in letters]
+        for letter in own:
+            groups.setdefault(term / letter, []).append(letter)
+    rest, shared = next(((r, s) for r, s in groups.items() if len(s) > 1 and not r.is_number), (None, []))
+    if rest is None:
+        return e
+    others = [a for a in e.args if a not in {rest * s for s in shared}]
+    return with_like_terms(sp.Add(sp.Mul(rest, sp.Add(*shared)), *others), letters)
+
+
+def with_turned_sum(e: sp.Expr) -> sp.Expr:
+    """Products without a minus sign in front where a sum or the angle of a sine takes it: W (R − h) for −W (h − R).
+
+    The first sum with as many negative terms as others is turned; of several products only if all have the sign. A
+    denominator with more negative terms gives up its sign: −1/(a + b − c) for 1/(c − a − b). Nothing is multiplied out.
+    """
+    if e.is_Add:
+        if not all(a.as_coeff_Mul()[0].is_negative for a in e.args):
+            return e
+        terms = [with_turned_sum(a) for a in e.args]
+        return sp.Add(*terms, evaluate=False) if any(a is not b for a, b in zip(terms, e.args, strict=True)) else e
+    if not e.is_Mul or isinstance(e, sp.MatrixExpr):
+        return e
+    number, rest = e.as_coeff_Mul()
+    factors = sp.Mul.make_args(rest)
+    if not number.is_negative:
+        for n, f in enumerate(factors):
+            base, exponent = f.as_base_exp()
+            if base.is_Add and exponent.is_negative and exponent.is_odd and 2 * _negative(base) > len(base.args):
+                below = sp.Pow(sp.Add(*(-a for a in base.args)), exponent)
+                return sp.Mul(-number, *factors[:n], below, *factors[n + 1 :], evaluate=False)
+        return e
+    for n, f in enumerate(factors):
+        turned = _turned(f)
+        if turned is not None:
+            size = () if number == -1 else (-number,)
+            return sp.Mul(*size, *factors[:n], turned, *factors[n + 1 :], evaluate=False)
+    return e
+
+
+def _turned(f: sp.Expr) -> sp.Expr | None:
+    """−f as one factor, where that has no more minus signs than f."""
+    base, exponent = f.as_base_exp()
+    if not exponent.is_Integer or exponent % 2 == 0:
+        return None
+    if isinstance(base, sp.sin) and base.args[0].is_Add and 2 * _negative(base.args[0]) >= len(base.args[0].args):
+        return sp.Pow(sp.sin(-base.args[0], evaluate=False), exponent)
+    if base.is_Add and 2 * _negative(base) >= len(base.args):
+        return sp.Pow(sp.Add(*(-a for a in base.args)), exponent)
+    return None
+
+
+def _negative(e: sp.Expr) -> int:
+    """How many of the terms begin with a minus sign."""
+    return sum(a.could_extract_minus_sign() for a in e.args)

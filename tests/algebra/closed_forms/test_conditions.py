@@ -56,6 +56,21 @@ CASES = [
     ),
     ([condition(k**3 + l**3, ">", 3 * k * l**2), condition(k, ">", l)], None),
     ([condition(c + k * l**2, ">", l * P)], None),
+    # A factor of known sign, in front of one that has a sign too.
+    (
+        [condition(k + 3, ">", c), condition(sp.expand((k + 3 - c) * (k + 3 - c + l * k)), "≥", 0)],
+        [condition(k + 3, ">", c)],
+    ),
+    # Two products with a factor that can have one sign only.
+    (
+        [
+            condition(sp.expand((k + l - c) * (k + P)), "≥", 0),
+            condition(sp.expand((k + l - c) * (P - m)), "≥", 0),
+            condition(c, "≠", k + l),
+        ],
+        [condition(k + l, ">", c), condition(P, "≥", m)],
+    ),
+    ([condition(k + l, "≥", m + g), condition(m + g, "≠", k + l)], [condition(k + l, ">", m + g)]),
 ]  # fmt: skip
 
 
@@ -90,6 +105,11 @@ def test_critical_loads() -> None:
 def test_conditions_that_exclude_each_other() -> None:
     assert further_conditions([condition(k, ">", m * g), condition(m * g, ">", 2 * k)]) is None
     assert further_conditions([condition(k, ">", m + g), condition(m, ">", k + l)]) is None
+    # x ≥ 0 and x ≤ −1 for x = (k l − 6)/D with D = k + 3 − c, whichever sign D has
+    divisor = k + 3 - c
+    right, left = sp.expand((k * l - 6) * divisor), sp.expand(-(k * l - 6 + divisor) * divisor)
+    given = [condition(right, "≥", 0), condition(left, "≥", 0), condition(c, "≠", k + 3)]
+    assert further_conditions(given) is None
 
 
 def test_what_is_known_is_not_repeated() -> None:

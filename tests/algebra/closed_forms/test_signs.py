@@ -55,6 +55,11 @@ def test_signs_are_found() -> None:
     assert sign_of(x) is None
     assert sign_of(a - b, positive=[a - b]) == 1
     assert sign_of(b - a, positive=[a - b]) == -1
+    # more than a known one
+    assert sign_of(a - b + a * c, positive=[a - b]) == 1
+    assert sign_of(b - a - 2 * c, positive=[a - b]) == -1
+    assert sign_of(b - a + c, positive=[a - b]) is None
+    assert sign_of(a - b - c, positive=[a - b]) is None
 
 
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
@@ -162,3 +167,32 @@ def test_a_sign_of_several_factors_whose_product_is_known() -> None:
     assert sign_of(a**2 * (a * b - c) ** 3 * (b - c), [product]) == 1
     assert sign_of((a * b - c) / (c - a), [product]) is None
     assert sign_of(a * b - c, [product]) is None
+
+
+BETA = Bounded("beta", sp.S.Zero, sp.pi / 2, (True, True))
+WIDE = Bounded("gamma", -sp.pi, 2 * sp.pi)
+POINTS = [(0.3, 0.2), (0.2, 0.3), (0.9, 1.1), (1.2, 1.5), (1.5, 0.1), (0.7, 0.7)]
+
+
+@pytest.mark.parametrize(
+    ("e", "shown"),
+    [
+        (sp.sin(BETA) - sp.cos(BETA) * sp.tan(ALPHA), "beta > alpha"),
+        (a * sp.tan(ALPHA) - a * sp.tan(BETA), "alpha > beta"),
+        (1 - sp.tan(ALPHA) * sp.tan(BETA), "pi/2 > alpha + beta"),
+        (sp.sin(2 * ALPHA) * sp.cos(BETA) - sp.cos(2 * ALPHA) * sp.sin(BETA), "2*alpha > beta"),
+    ],
+)
+def test_the_sine_of_a_sum_of_acute_angles_has_the_sign_of_an_angle(e: sp.Expr, shown: str) -> None:
+    found = more_than_zero(e)
+    assert f"{found.lhs} {found.relation} {found.rhs}" == shown
+    for point in POINTS:
+        values = {ALPHA: point[0], BETA: point[1], a: 2}
+        if abs(before := e.subs(values)) > 1e-9:
+            assert (before > 0) == ((found.lhs - found.rhs).subs(values) > 0)
+
+
+def test_an_angle_of_more_than_half_a_turn_stays_in_its_sine() -> None:
+    """sin(γ − α) changes its sign at γ − α = π, −π."""
+    found = more_than_zero(sp.sin(WIDE) * sp.cos(ALPHA) - sp.cos(WIDE) * sp.sin(ALPHA))
+    assert found.lhs.has(sp.sin)

@@ -10,6 +10,8 @@ from lagrange.algebra.fourier.division import (
     as_fraction,
     by_denominator,
     exact_quotient,
+    highest_multiples,
+    may_divide,
     over_one_denominator,
     over_wave,
 )
@@ -44,6 +46,7 @@ def test_division_undoes_multiplication(e: sp.Expr, f: sp.Expr) -> None:
             (frequency,) = (key[1] for key in wave.terms)
             sign = wave.terms[0, frequency][sine]  # sin(theta - phi) may be kept as -sin(phi - theta)
             assert over_wave(p * wave, frequency, sine) == p * sign
+            assert may_divide(frequency, p * wave, highest_multiples(p * wave))
 
 
 def test_what_does_not_divide_has_no_quotient() -> None:
@@ -54,6 +57,15 @@ def test_what_does_not_divide_has_no_quotient() -> None:
     (frequency,) = (w for _, w in ring.from_sympy(cos(theta)).terms)
     assert over_wave(ring.from_sympy(1 + cos(theta)), frequency, sine=False) is None
     assert over_wave(ring.from_sympy(x * cos(theta) + y), frequency, sine=False) is None
+
+
+def test_frequencies_alone_tell_that_most_waves_do_not_divide() -> None:
+    ring = FourierRing()
+    (one,), (other,) = ([w for _, w in ring.from_sympy(cos(angle)).terms] for angle in (theta, theta - phi))
+    for e, frequency in ((1 + cos(theta), one), (x * cos(2 * theta) + y, one), (sin(theta) * cos(phi), other)):
+        element = ring.from_sympy(e)
+        assert not may_divide(frequency, element, highest_multiples(element))
+        assert over_wave(element, frequency, sine=True) is over_wave(element, frequency, sine=False) is None
 
 
 def test_fractions_are_joined_where_that_is_shorter() -> None:

@@ -60,6 +60,11 @@ def shipped_page(name: str) -> str:
         ("ex06-two-particle-skate", "(x₁ − x₂) δx₁ + (y₁ − y₂) δy₁ + (x₂ − x₁) δx₂"),
         ("suslov-body", "which is always of the same sign: q moves in one sense, or is constant while u = 0"),
         ("governor", "φ̇² = (M + m) g/(m l cos θ)"),
+        ("slide-off-a-dome", "Contact: N > 0 while θ̇² < (g/R) cos θ."),
+        ("slide-off-a-dome", "/(R² (4μ² + 1)) where θ̇² ≥ 0 (18)"),
+        ("pendulum-in-wind", "x/z = F/W when y = 0"),
+        ("constant-speed", "│ v² ẍ = g ẋ ẏ │ │ v² ÿ = −g ẋ² │"),
+        ("sleigh", "λ = (m I_G/(m a² + I_G)) θ̇ u"),
     ],
 )
 def test_a_page_gives_what_its_description_promises(name: str, said: str) -> None:

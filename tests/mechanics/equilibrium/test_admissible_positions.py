@@ -91,6 +91,35 @@ def test_equilibria_outside_of_the_range_are_left_out(limits: str, inside: list[
     assert len(left_out) + len(inside) == 2
 
 
+@pytest.mark.parametrize(
+    ("limits", "stated"),
+    [
+        ("[0, pi/2]", "theta = pi/4"),
+        ("[-pi, 0]", "theta = -3*pi/4"),
+        ("[-pi, pi]", "tan(theta) = 1"),  # two positions
+        ("[pi, 2*pi]", "tan(theta) = 1"),  # 5π/4 is said modulo 2π
+    ],
+)
+def test_the_one_angle_of_a_range_is_a_share_of_pi(limits: str, stated: str) -> None:
+    text = PENDULUM.format(more="", range=limits, forces="{push: {on: P, vector: m*g*i}}")
+    found = equilibria(solved(text))
+    assert [e for [e] in found] == [stated]
+
+
+def test_what_depends_on_the_one_angle_has_a_value() -> None:
+    text = """title: two weights on a ring
+parameters: {m: positive, g: positive, R: positive}
+coordinates: {theta: {range: [0, pi/2]}, phi: {range: [0, pi/2]}}
+particles:
+  A: {mass: m, position: R*cos(theta)*i + R*sin(theta)*j}
+  B: {mass: m, position: -R*cos(phi)*i + R*sin(phi)*j}
+constraints: {rod: theta + phi = pi/2}
+gravity: -g*j
+find: [equilibrium]
+"""
+    assert equilibria(solved(text)) == [["theta = pi/4", "phi = pi/4"]]
+
+
 def test_a_range_settles_the_stability() -> None:
     text = PENDULUM.format(more=", F: positive", range="[-90 deg, 90 deg]", forces="{push: {on: P, vector: F*i}}")
     result = solved(text)

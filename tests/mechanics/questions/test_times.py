@@ -27,6 +27,9 @@ CASES = [
     ((a - c) * t**2 + b, 1),
     (a * t + b, 0),
     (b * sp.cosh(w * t), 0),
+    (sp.exp(-a * t) * (3 * c * sp.sinh(w * t) - b * sp.cosh(w * t)), 1),
+    (b * sp.exp(-a * t) - 2 * b * sp.exp(-w * t), 1),
+    (sp.exp(-a * t) * (2 * sp.sinh(w * t) + 3 * sp.cosh(w * t)), 0),
 ]
 
 

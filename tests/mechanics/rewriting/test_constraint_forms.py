@@ -5,6 +5,7 @@ Conditions on displacements satisfied by a parameter, where solving for one disp
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -18,6 +19,7 @@ from lagrange.mechanics.rewriting.constraint_forms import (
     common_number,
     free_displacements,
     frobenius_on_surface,
+    integral_in_angle,
     is_drive,
     only_coordinate,
     vanishing_components,
@@ -143,3 +145,21 @@ def test_long_denominators_are_not_multiplied_out() -> None:
     long = replace(own.elimination, solution=((1 / below,),))
     with allowed(1_000):
         assert free_displacements(long, own.configuration.slots, set()) is None
+
+
+def test_the_tractrix_in_its_angle() -> None:
+    """The relation in ψ is that in the coordinates, and the blade moves along the rod on the curve that it describes."""
+    [_, blade] = solved("towed-blade").classification.constraints
+    relation = integral_in_angle(blade)
+    assert relation is not None
+    [psi] = [s for s in relation.free_symbols if s.name == "psi"]
+    l, x = (next(s for s in relation.free_symbols if s.name == n) for n in ("l", "x"))
+    for angle in (0.4, 1.3, 2.2):
+        at = [float((-relation + x).subs({l: 1, psi: angle + h})) for h in (-1e-6, 1e-6)]
+        slope = (math.sin(angle + 1e-6) - math.sin(angle - 1e-6)) / (at[1] - at[0])
+        assert slope == pytest.approx(-math.tan(angle), rel=1e-6)  # the rod to A has the direction (−cos ψ, sin ψ)
+
+
+@pytest.mark.parametrize("name", ["cylinder-in-a-cylinder", "form-in-two-variables", "ex06-two-particle-skate"])
+def test_other_relations_have_no_angle(name: str) -> None:
+    assert all(integral_in_angle(c) is None for c in solved(name).classification.constraints)

@@ -15,6 +15,8 @@ from lagrange.mechanics.rewriting.factors import (
     vector_with_factor,
     with_common_factor,
     with_factor,
+    with_like_terms,
+    with_turned_sum,
     without_constant_factors,
     without_shared_constant,
 )
@@ -59,3 +61,38 @@ def test_forms_without_shared_constants() -> None:
     assert without_shared_constant(form) == (sp.sin(psi), k * sp.cos(psi) ** 2, 0)
     mixed = (-sp.sin(psi), k * sp.cos(psi))
     assert without_shared_constant(mixed) == mixed
+
+
+def test_a_sum_takes_the_sign_of_its_product() -> None:
+    a, b, c, W = sp.symbols("a b c W", positive=True)
+    pairs = {
+        -W * (a - b): W * (b - a),
+        -c - W * (a - b): -c + W * (b - a),
+        -W / (a - b): W / (b - a),
+        W / (a - b - c): -W / (b + c - a),
+    }
+    for before, after in pairs.items():
+        turned = with_turned_sum(before)
+        assert turned == after
+        assert sp.cancel(turned - before) == 0
+    assert str(with_turned_sum(-sp.sin(a - b) * W)) == "W*sin(-a + b)"
+    for kept in (-W * (a + b), -W * (a + b - c), -W * (a - b) ** 2, W * (a - b), -W / (a + b), a - b, c - W * (a - b)):
+        assert with_turned_sum(kept) is kept
+
+
+def test_nothing_is_multiplied_out() -> None:
+    a, b = sp.symbols("a b", positive=True)
+    assert with_turned_sum(sp.Mul(-2, a - b, evaluate=False)).args == (2, b - a)
+    assert with_turned_sum(sp.Mul(-2, a, a - b, evaluate=False)).args == (2, a, b - a)
+
+
+def test_terms_that_differ_in_a_letter_are_one() -> None:
+    M, m, g, c, l, x = sp.symbols("M m g c l x", positive=True)
+    letters = {M, m, g, c, l}
+    root = sp.sqrt((M * g + m * g + c * l) ** 2 - 4 * M * c * g * l)
+    assert with_like_terms(M * g + m * g + c * l - root, letters) == (M + m) * g + c * l - sp.sqrt(
+        ((M + m) * g + c * l) ** 2 - 4 * M * c * g * l
+    )
+    for kept in (M + m, M * g + 2 * m * g * l, M * x + M * x**2, M * g + c * l):
+        assert with_like_terms(kept, letters) == kept
+    assert sp.expand(with_like_terms(M * g * l - m * g * l + c, letters) - (M * g * l - m * g * l + c)) == 0

@@ -54,7 +54,7 @@ class Asked:
             return self.event(y[0], y[1])
 
         event.terminal = True  # type: ignore[attr-defined]
-        close = {"rtol": 1e-10, "atol": 1e-12}
+        close = {"rtol": 1e-10, "atol": 1e-12, "max_step": 0.02}
         begun = solve_ivp(rates, (0, 1e-6), [*map(self.number, self.start)], **close)
         found = solve_ivp(rates, (1e-6, LONGEST), begun.y[:, -1], events=event, **close)
         if len(found.t_events[0]):

@@ -1,0 +1,172 @@
+"""Mistakes in velocities that are composed: of a translation and a rotation, of what rolls and what carries it.
+
+In the coordinates of a choice, a velocity has parts that are no longer seen in them: the centre of a rocking half
+cylinder moves with x' = R θ' along the table and turns about the middle of its flat side, and T contains θ'² alone. So
+positions are taken in the coordinates of the file, q_i = f_i(p), and the velocity is the sum of
+
+    Σ_a (∂r/∂q_i) (∂f_i/∂p_a) p_a'     over i .
+
+One of these parts may be omitted, or the product of one with the rest, as if they were at right angles.
+
+A body that rolls on another moving one turns by the relative velocity of the two. With ω = w_s s' for the one
+coordinate s that moves it along the surface, the rate w_s (J_i·J_s)/(J_s·J_s) of another coordinate q_i is what its
+absolute velocity would give.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.answers.models.kinematics import is_accelerated_only, turning, turning_otherwise
+from lagrange.answers.models.kinetic import length_left_out
+from lagrange.answers.models.mechanics import Inertia, Mechanics, Variation, called
+from lagrange.core.symbols import partial, prime
+from lagrange.core.vectors import Components
+
+_Columns = tuple[Components, ...]
+
+
+def part_left_out(m: Mechanics) -> Iterator[Variation]:
+    """What one coordinate of the file contributes to a velocity is omitted, where a choice has eliminated it."""
+    for p, q, own, rest in _parts(m):
+        clause = f"without what {prime(q)} contributes to the velocity of {called(p.name)}"
+        changed = m.inertia(lambda i, p=p, rest=rest: replace(i, columns=rest) if i == p else i)  # type: ignore[misc]
+        if any(is_zero(c) is not True for column in rest for c in column) and _differ(own, rest):
+            yield Variation(clause, f"the velocity of {called(p.name)}", changed)
+
+
+def product_of_parts_left_out(m: Mechanics) -> Iterator[Variation]:
+    """The product of two parts of a velocity is omitted, as if they were at right angles."""
+    for p, q, own, rest in _parts(m):
+        if not _are_oblique(own, rest):
+            continue
+        apart = tuple(j for i in m.inertias for j in ((_with(p, own), _with(p, rest)) if i == p else (i,)))
+        clause = (
+            f"as if the part of the velocity of {called(p.name)} that comes from {prime(q)} were at right angles to "
+            "the rest: in its square, twice their product is missing"
+        )
+        yield Variation(clause, f"the square of the velocity of {called(p.name)}", replace(m, inertias=apart))
+
+
+def rolling_of_absolute_velocity(m: Mechanics) -> Iterator[Variation]:
+    """A body that rolls on a moving one turns as if by its velocity relative to the ground."""
+    for r in m.rotations:
+        axes = [a for a in range(3) if any(column[a] != 0 for column in r.columns)]
+        centre = next((p for p in m.particles if p.name == r.name), None)
+        if len(axes) != 1 or centre is None:
+            continue
+        [axis] = axes
+        place = f"the angular velocity of {called(r.name)}"
+        rates = [column[axis] for column in r.columns[:-1]]
+        added = _by_absolute_velocity(rates, centre, r.moving)
+        if added:
+            columns = [[*c] for c in r.columns]
+            for i, rate in added.items():
+                columns[i][axis] = rate
+            new = replace(r, columns=tuple((a, b, c) for a, b, c in columns))
+            yield Variation(_absolutely(r.name, added, m), place, turning(m, r, new))
+        yield from _by_absolute_constraint(r, centre, m)
+
+
+def _by_absolute_constraint(r: Inertia, centre: Inertia, m: Mechanics) -> Iterator[Variation]:
+    """The same where the angle is tied to other coordinates by a constraint that remains."""
+    rows = m.configuration.rows
+    for j, row in enumerate(rows):
+        own = [k for k in r.moving if k < len(row.coefficients) and row.coefficients[k] != 0]
+        moving = {*m.slots.coordinates, *m.slots.velocities, *m.slots.prescribed}
+        constant = (
+            row.drift == 0 and row.nonlinear is None and not any(a.free_symbols & moving for a in row.coefficients)
+        )
+        if len(own) != 1 or not constant or not is_accelerated_only(own[0], m):
+            continue
+        others = [i for i, a in enumerate(row.coefficients) if a != 0 and i != own[0]]
+        added = _by_absolute_velocity(row.coefficients, centre, others)
+        if added and not any(e.free_symbols & moving for e in added.values()):
+            coefficients = tuple(added.get(i, a) for i, a in enumerate(row.coefficients))
+            changed = (*rows[:j], replace(row, coefficients=coefficients), *rows[j + 1 :])
+            constrained = replace(m.configuration.constrained, rows=changed)
+            system = replace(m, configuration=replace(m.configuration, constrained=constrained))
+            yield Variation(_absolutely(r.name, added, m), f"the angular velocity of {called(r.name)}", system)
+
+
+def _by_absolute_velocity(rates: Sequence[sp.Expr], centre: Inertia, along: Sequence[int]) -> dict[int, sp.Expr]:
+    """The rates that an absolute velocity adds to those of a relative one, by coordinates."""
+    for s in along:
+        if s >= len(rates) or not any(c != 0 for c in centre.columns[s]):
+            continue
+        square = _dot(centre.columns[s], centre.columns[s])
+        added = {
+            i: sp.cancel(rates[s] * _dot(centre.columns[i], centre.columns[s]) / square)
+            for i in centre.moving
+            if i < len(rates) and i != s and rates[i] == 0
+        }
+        return {i: rate for i, rate in added.items() if rate != 0}
+    return {}
+
+
+def _absolutely(name: str, added: Mapping[int, sp.Expr], m: Mechanics) -> str:
+    names = " and ".join(str(m.slots.velocities[i]) for i in added)
+    return (
+        f"for {called(name)} turning according to its absolute velocity, {names} included, and not to its velocity "
+        "relative to what it rolls on"
+    )
+
+
+def offset_left_out(m: Mechanics) -> Iterator[Variation]:
+    """A centre beside the line that carries it is taken to lie on it, and the body turns accordingly."""
+    if not m.rotations:
+        return
+    for moved in length_left_out(m):
+        if moved.mechanics is None:
+            continue
+        for turned in turning_otherwise(moved.mechanics):
+            yield replace(turned, clause=f"{moved.clause}, and {turned.clause}", place=moved.place)
+
+
+def _parts(m: Mechanics) -> Iterator[tuple[Inertia, sp.Symbol, _Columns, _Columns]]:
+    """Each part of a velocity that an eliminated coordinate of the file contributes, and the rest."""
+    expressed, slots = m.configuration.expressed, m.slots
+    places = dict(m.places)
+    for p in m.particles:
+        position = places.get(p.name)
+        if position is None:
+            continue
+        fixed = position.fixed()
+        used = {s for c in fixed.components for s in c.free_symbols}
+        for q in sorted((s for s in used if s in expressed), key=str):
+            slope = fixed.map(lambda c, q=q: partial(c, q)).xreplace(dict(expressed))  # type: ignore[misc]
+            rates = [*(partial(expressed[q], a) for a in slots.coordinates), slots.frozen_derivative(expressed[q])]
+            own = tuple((rate * slope).components for rate in rates)
+            rest = tuple(
+                _three(sp.expand(a - b) for a, b in zip(whole, part, strict=True))
+                for whole, part in zip(p.columns, own, strict=True)
+            )
+            if any(c != 0 for column in own for c in column):
+                yield p, q, own, rest
+
+
+def _with(p: Inertia, columns: _Columns) -> Inertia:
+    return replace(p, columns=columns)
+
+
+def _are_oblique(own: _Columns, rest: _Columns) -> bool:
+    """Whether two parts of a velocity have products."""
+    return any(is_zero(_dot(a, b)) is not True for a in own for b in rest)
+
+
+def _differ(own: _Columns, rest: _Columns) -> bool:
+    """Whether a part is not the whole contribution of coordinates, which other models omit."""
+    return any(any(c != 0 for c in a) and any(c != 0 for c in b) for a, b in zip(own, rest, strict=True))
+
+
+def _dot(a: Components, b: Components) -> sp.Expr:
+    return sp.trigsimp(sp.expand(sp.Add(*(x * y for x, y in zip(a, b, strict=True)))))
+
+
+def _three(parts: Iterator[sp.Expr]) -> Components:
+    a, b, c = parts
+    return a, b, c
