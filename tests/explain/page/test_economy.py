@@ -76,18 +76,26 @@ def test_a_letter_is_defined_once_and_the_head_is_not_repeated() -> None:
 
 
 def test_constant_accelerations_that_the_head_has_are_not_displayed_again() -> None:
-    rates = display(Equation((x, y)), boxed=True)
+    rates = display(Equation((x, y)), Equation((y, z)), boxed=True)
     says = prose(Emphasis("Accelerations"), ", all of them constant:", purpose=Purpose.CONSTANT_RATES)
     head = step(rates, rule=Rule.RESULT)
     _, shortly = said_before([head, step(says, rates)])
     assert shortly.body == (replace(says, parts=(*says.parts, " those at the head of the page.")),)
-    others = step(says, display(Equation((x, z)), boxed=True))
+    others = step(says, display(Equation((x, z)), Equation((y, x)), boxed=True))
     assert [*said_before([head, others])][1] == others
+
+
+def test_a_single_acceleration_that_the_head_has_gets_no_sentence() -> None:
+    rate = display(Equation((x, y)), boxed=True)
+    says = prose(Emphasis("Acceleration"), ", which is constant:", purpose=Purpose.CONSTANT_RATES)
+    before = prose("It falls.")
+    _, shortly = said_before([step(rate, rule=Rule.RESULT), step(before, says, rate)])
+    assert shortly.body == (before,)
 
 
 def test_a_velocity_that_is_asked_to_be_zero_is_zero_in_the_condition() -> None:
     asked = " ".join(printed("turning-parabola").split("Asked for")[1].split("Checks")[0].split())
-    assert "With ρ̇ = 0, the equations of motion give ρ̈ = −(2c g − Ω²) ρ/(4c² ρ² + 1)" in asked
+    assert "With ρ̇ = 0, the equations of motion give ρ̈ = (Ω² − 2c g) ρ/(4c² ρ² + 1)" in asked
     assert "ρ̇²" not in asked
 
 

@@ -27,7 +27,7 @@ def page(name: str) -> str:
         ),
         ("ex09-moving-surface", "│ ∇f·δ𝐫 = 0 │ │ d𝐫 = δ𝐫 + u dt 𝐢 │"),
         ("ex11-ideal-pendulum", "│ T = m l θ̇² + m g cos θ │"),
-        ("bifilar-suspension", "the equilibrium and the multiplier:"),
+        ("bifilar-suspension", "the equilibrium and the reaction:"),
         ("servo", "│ x = C exp(−κ t) − v/κ + v t │"),
     ],
 )

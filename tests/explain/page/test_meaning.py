@@ -42,6 +42,21 @@ def test_a_rate_whose_sign_is_that_of_a_constant(tmp_path: Path) -> None:
     assert printed.count("One way") == 1  # and nothing of ω̇, which has a product of two velocities
 
 
+def test_a_motion_that_grows_is_given(tmp_path: Path) -> None:
+    wire = """
+title: Bead on a turning wire
+parameters: [m, w]
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+constraints: {wire: {equation: phi = w*t, by: wire, reaction: N}}
+generalized_coordinates: {along: {coordinates: [r]}}
+"""
+    assert "Motion: r = C₁ cosh(w t) + C₂ sinh(w t), where C₁ and C₂ follow from the initial state." in page(
+        wire, tmp_path
+    )
+
+
 def shipped_page(name: str) -> str:
     r = reported(name, complete=False)
     return " ".join(terminal.text(r.derivation, r.notation, 400, Detail.STEPS).split())
@@ -65,6 +80,8 @@ def shipped_page(name: str) -> str:
         ("pendulum-in-wind", "x/z = F/W when y = 0"),
         ("constant-speed", "│ v² ẍ = g ẋ ẏ │ │ v² ÿ = −g ẋ² │"),
         ("sleigh", "λ = (m I_G/(m a² + I_G)) θ̇ u"),
+        ("spherical-pendulum-by-routh", "The force that keeps P on its surface is normal to the surface"),
+        ("towed-blade", "x + l ln(|tan(ψ/2)|) + l cos ψ = const"),
     ],
 )
 def test_a_page_gives_what_its_description_promises(name: str, said: str) -> None:
