@@ -412,7 +412,8 @@ def _with_reasons(
             cause = model.cause if model is not None else cause_of(change)
             force = one_sense(equation, system) if wanted and model is None else ""
             change = None if force else change
-            force = force or (explained_force(equation, attempt.candidate, reference) if wanted and model is None else "")
+            if wanted and model is None and not force:
+                force = explained_force(equation, attempt.candidate, reference)
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)

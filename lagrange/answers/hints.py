@@ -127,11 +127,13 @@ class Advisor:
         )
 
     def _written_out(self, sides: Sequence[sp.Expr | Vector]) -> str:
-        """By what the two sides of an equation differ if the accelerations in both cancel: one is meant to be the other,
-        written out. A sentence; empty for other equations."""
-        if len(sides) != 2 or not all(isinstance(s, sp.Expr) for s in sides):
+        """By what the sides of an equation differ if their accelerations cancel: one is meant to be the other, written
+        out. A sentence; empty for other equations."""
+        if len(sides) != 2:
             return ""
         lhs, rhs = sides
+        if isinstance(lhs, Vector) or isinstance(rhs, Vector):
+            return ""
         accelerations = {prime(q, 2) for q in self.notation.coordinates}
         if not lhs.free_symbols & rhs.free_symbols & accelerations:
             return ""

@@ -307,6 +307,7 @@ class WritingOrder:
             ),  # terms without brackets first
             degrees[SymbolKind.TIME].get(self.notation.place("t"), 0),
             not parts,  # a bare number is last
+            any(base.is_Add and e.is_Rational and not e.is_Integer for base, e in parts),  # (M + m) g - √(...)
             self._places(term),
             sum(_degree(e) for _, e in constants) if others else 0,  # sin α + μ cos α
             (*sorted((self._symbol_key(base, False), -_degree(e)) for base, e in constants), _END),

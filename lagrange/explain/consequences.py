@@ -6,12 +6,21 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT, CrossProduct, DotProduct, TimeDerivative, VectorSymbol, prime, t
+from lagrange.core.symbols import (
+    CONSTANT,
+    CrossProduct,
+    DotProduct,
+    TimeDerivative,
+    VectorSymbol,
+    free_letter,
+    prime,
+    t,
+)
 from lagrange.document.derivation import Block, Emphasis, Part, Rule, Step, listed, math, prose
 from lagrange.mechanics.consequences.at_rest import shape, without_dependent
 from lagrange.mechanics.consequences.gathered import Consequences, LimitMotion
 from lagrange.mechanics.consequences.oscillations import Beats, DoubleResonance, SleepingAxis
-from lagrange.mechanics.consequences.time_dependent import FastDrive, SlowChange
+from lagrange.mechanics.consequences.time_dependent import FastDrive, SlowChange, UniformStiffness
 from lagrange.mechanics.consequences.vectors import ConeVector, ConstantSpin, Hodograph
 from lagrange.mechanics.results import InCoordinates
 
@@ -35,6 +44,8 @@ def explain_consequences(c: Consequences, view: InCoordinates) -> Iterator[Block
         yield _drive(c.drive)
     if c.slow is not None:
         yield _slow(c.slow)
+    if c.uniform is not None:
+        yield _uniform(c.uniform, view)
 
 
 def _spin(s: ConstantSpin, *, alone: bool) -> Block:
@@ -219,6 +230,16 @@ def _drive(d: FastDrive) -> Block:
         " kept constant, the motion averaged over one period of the drive satisfies, to leading order, ",
         *(math(prime(q, 2), d.mean), ".", *verdicts),
     )
+
+
+def _uniform(u: UniformStiffness, view: InCoordinates) -> Block:
+    """`Motion: r = C₁ cosh Ωt + C₂ sinh Ωt, with two constants.`"""
+    taken = set() if view.motion is None else {s.name for e in view.motion.final for s in e.expression.free_symbols}
+    letter = free_letter("C", "D", "K", taken={*taken, *(f"{n}_1" for n in taken)})
+    one, two = (sp.Symbol(f"{letter}_{n}", real=True) for n in (1, 2))
+    motion = math(u.coordinate, u.rest + one * u.first + two * u.second)
+    constants = (math(one), " and ", math(two))
+    return prose(Emphasis("Motion"), ": ", motion, ", where ", *constants, " follow from the initial state.")
 
 
 def _slow(s: SlowChange) -> Block:

@@ -222,6 +222,9 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         if any(s in pushing and e is not None and e.is_nonpositive for s, e in values.items()):
             continue  # contact is lost
         shown = {s: e for s, e in values.items() if e is not None and count_operations(e) <= LONGEST_LIMIT}
+        still = all(e in view.configuration.slots.accelerations for e in limit)
+        if to == 0 and still and shown and not any(shown.values()):
+            continue  # nor that nothing happens without a cause
         whole = len(shown) == len(values) and sum(count_operations(e) for e in shown.values()) <= LONGEST_LIMIT
         if to == 0 and len(limit) > 1 and not (shown and whole) and _only_stops(limit, equations, view):
             continue  # nor that without forces there is no acceleration

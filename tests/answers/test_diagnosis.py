@@ -23,6 +23,7 @@ from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
 from lagrange.values.dimensions import mismatch
 from lagsolve.main import main
+from tests.answers.models.slips import feedback_on
 from tests.answers.test_equations import GIVEN
 from tests.support.shared import reference_of
 
@@ -444,3 +445,18 @@ def test_nothing_is_called_coriolis_where_a_support_is_accelerated() -> None:
     ):
         [found] = check_answer(problem, (Fragment.of(equation),)).equations.equations
         assert said in found.diagnosis
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        ("shortening-pendulum", "T = m*g*cos(phi) + m*l*phi'^2 + m*l''", "the sign of the term m*l''"),
+        (
+            "ladder-leaves-the-wall",
+            "x'' = l*cos(theta)*theta''; 4*l*theta'' = 3*g*sin(theta)",
+            "l*theta'^2*sin(theta) is missing",
+        ),
+    ],
+)
+def test_one_term_of_a_reaction_or_of_a_constraint(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)

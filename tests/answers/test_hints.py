@@ -21,6 +21,7 @@ from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
 from lagsolve.main import main
+from tests.answers.models.slips import feedback_on
 from tests.answers.test_diagnosis import SYSTEMS
 
 
@@ -137,3 +138,17 @@ UNITS = "{m: {unit: kg}, l: {unit: m}, g: {unit: m/s^2}}"
 def measured(equations: str = "[\"m*l^2*theta'' + m*g*l*sin(theta) = 0\"]") -> Reference:
     text = f"title: T\nparameters: {UNITS}\ncoordinates: [theta]\nequations: {equations}\n"
     return reference(read_problem(Source("problem.yaml", text)))
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        (
+            "spring-pendulum",
+            "diff(m*r^2*phi', t) = m*r^2*phi'' + m*r*r'*phi'",
+            "m*r*r'*phi' is left: is the derivative carried out rightly?",
+        ),
+    ],
+)
+def test_a_derivative_that_is_not_carried_out_rightly(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)

@@ -46,8 +46,8 @@ def product_of_parts_left_out(m: Mechanics) -> Iterator[Variation]:
             continue
         apart = tuple(j for i in m.inertias for j in ((_with(p, own), _with(p, rest)) if i == p else (i,)))
         clause = (
-            f"as if the part of the velocity of {called(p.name)} that comes from {prime(q)} were at right angles to the "
-            "rest: in its square, twice their product is missing"
+            f"as if the part of the velocity of {called(p.name)} that comes from {prime(q)} were at right angles to "
+            "the rest: in its square, twice their product is missing"
         )
         yield Variation(clause, f"the square of the velocity of {called(p.name)}", replace(m, inertias=apart))
 
@@ -78,7 +78,9 @@ def _by_absolute_constraint(r: Inertia, centre: Inertia, m: Mechanics) -> Iterat
     for j, row in enumerate(rows):
         own = [k for k in r.moving if k < len(row.coefficients) and row.coefficients[k] != 0]
         moving = {*m.slots.coordinates, *m.slots.velocities, *m.slots.prescribed}
-        constant = row.drift == 0 and row.nonlinear is None and not any(a.free_symbols & moving for a in row.coefficients)
+        constant = (
+            row.drift == 0 and row.nonlinear is None and not any(a.free_symbols & moving for a in row.coefficients)
+        )
         if len(own) != 1 or not constant or not is_accelerated_only(own[0], m):
             continue
         others = [i for i, a in enumerate(row.coefficients) if a != 0 and i != own[0]]

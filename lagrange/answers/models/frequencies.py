@@ -249,12 +249,15 @@ def of_damped(
     for linearization in linearizations:
         coordinates = linearization.configuration.slots.coordinates
         for s in linearization.at:
-            for j, q in enumerate(coordinates) if s is not None and len(coordinates) == len(s.system.mass) > 1 else ():
+            if s is None or not 1 < len(s.system.mass) == len(coordinates):
+                continue
+            for j, q in enumerate(coordinates):
                 mass, damping, stiffness = (x[j][j] for x in (s.system.mass, s.system.damping, s.system.stiffness))
                 rate = damping / (2 * mass)
                 alone = stiffness / mass - rate**2 if squared else rate
                 if damping != 0 and any(_same(c, alone) for c in claims):
-                    yield f"that is {'the frequency' if squared else 'the rate'} of {q} with the other coordinates held fast"
+                    what = "frequency" if squared else "rate"
+                    yield f"that is the {what} of {q} with the other coordinates held fast"
     yield from (of_damping(c, e, squared=squared) for each in right for c in claims for e in each)
 
 

@@ -217,7 +217,7 @@ def mechanics_of(configuration: Configuration, problem: Problem, frictions: Sequ
     inertias = tuple(i for i in (*particles, *rotations) if i.moving and any(w != 0 for w in i.weights))
     everything = tuple(range(len(slots.coordinates)))
     units = tuple((p.symbol, p.unit) for p in problem.parameters)
-    places = tuple((p.name, p.position) for p in (*problem.particles, *problem.bodies))
+    places = (*((p.name, p.position) for p in problem.particles), *((b.name, b.position) for b in problem.bodies))
     ends = tuple(
         (name, tuple(e.fixed().map(configuration.rewritten) for e in shape.ends))
         for name, shape in sorted(problem.figure.shapes.items())

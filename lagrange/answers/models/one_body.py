@@ -1,7 +1,7 @@
 """Wrong forces of constraints: those of one body by itself.
 
-The tension of the upper rod of a double pendulum is often taken from the balance of the upper mass without the lower rod,
-and that of the lower rod as of a pendulum whose support is at rest. So for one body, with its coordinates K,
+The tension of the upper rod of a double pendulum is often taken from the balance of the upper mass without the lower
+rod, and that of the lower rod as of a pendulum whose support is at rest. So for one body, with its coordinates K,
 
     E_k = 0   (k ∈ K) ,     d²f_j/dt² = 0 ,     with λ_i = 0 for i ≠ j and q_k'' = 0 for k ∉ K ,
 
@@ -31,7 +31,7 @@ def explained_by_one_body(equation: sp.Expr, candidate: ReferenceCandidate, refe
     """
     forces = [s for s in candidate.multipliers if s in equation.free_symbols]
     full = next((c for c in reference.candidates if not c.choice and {*forces} <= {*c.multipliers}), None)
-    if len(forces) != 1 or full is None or candidate.configuration.rows and candidate.choice:
+    if len(forces) != 1 or full is None or (candidate.configuration.rows and candidate.choice):
         return ""
     [force] = forces
     slope = equation.diff(force)
@@ -95,7 +95,11 @@ def _solved(
 
 
 def _said(
-    name: str, forgotten: Sequence[sp.Symbol], still: Sequence[sp.Symbol], full: ReferenceCandidate, used: dict[str, set[sp.Symbol]]
+    name: str,
+    forgotten: Sequence[sp.Symbol],
+    still: Sequence[sp.Symbol],
+    full: ReferenceCandidate,
+    used: dict[str, set[sp.Symbol]],
 ) -> str:
     rows = {m: row.name for m, row in zip(full.multipliers, full.configuration.rows, strict=False)}
     parts = []

@@ -93,12 +93,12 @@ def _of_phase(response: Response, given_by: Callable[[Callable[[_Draw, int], sp.
     ways.append((right, "the root is missing"))
     if across == 0:
         ways = []
-    return next((said for e, said in ways if given_by(lambda d, n, e=e: d.value(e) ** 2)), "")  # type: ignore[misc]
+    return next((said for e, said in ways if given_by(lambda d, _, e=e: d.value(e) ** 2)), "")  # type: ignore[misc]
 
 
 _ADDED = (
-    "{} and {} are added as if they had one phase: they are a quarter of a period apart, so that the root of the sum of "
-    "their squares counts"
+    "{} and {} are added as if they had one phase: they are a quarter of a period apart, so that the root of the sum "
+    "of their squares counts"
 )
 
 

@@ -7,8 +7,8 @@ the stated forces balance, and that is one exact test for each term.
 A reaction may be taken from the balance along its own direction, as if no other reaction had a component there: the
 normal force as W cos α where a second plane, a wall or a rope acts as well.
 
-A force may be forgotten in one of the equations and counted in the others: in the balance of moments, and not in that of
-forces from which a reaction was found first.
+A force may be forgotten in one of the equations and counted in the others: in the balance of forces from which a
+reaction was found, and not in that of moments.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def of_differential(rules: Sequence[Substitution], resting: Resting, problem: Pr
 
 def _sums(function: sp.Expr, problem: Problem, coordinates: set[sp.Symbol]) -> Iterator[tuple[sp.Expr, ...]]:
     """A constraint as sums of terms: as it is, and, for a distance that is given, as the squares of its components."""
-    places = [Vector.zero(), *(p.position for p in (*problem.particles, *problem.bodies))]
+    places = [Vector.zero(), *(p.position for p in problem.particles), *(b.position for b in problem.bodies)]
     for one, other in combinations(places[:MOST_CONDITION_TERMS], 2):
         way = (other - one).fixed().components
         squares = tuple(c**2 for c in way if c != 0)

@@ -49,7 +49,7 @@ from lagrange.explain.page.shorter.reactions import (
     with_sums_along_axes,
 )
 from lagrange.explain.page.shorter.sentences import in_fewer_words, with_lengths, with_symbol_first
-from lagrange.explain.page.shorter.signs import with_turned_sums
+from lagrange.explain.page.shorter.signs import with_like_terms_in_one, with_turned_sums
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.surfaces import in_vectors, on_surface, work_of_surface
 from lagrange.explain.page.system import alike_about_all_axes
@@ -92,6 +92,7 @@ def steps_of_page(
     arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
     arranged = with_lengths(solution, [*response_shortly(solution, [*with_symbol_first([*arranged])])])
     arranged = in_fewer_words([*arranged])
+    arranged = with_like_terms_in_one(solution, [*arranged])
     arranged = with_turned_sums([*without_unused(solution, [*said_before([*arranged])])])
     yield from in_pairs([*arranged])
 

@@ -221,7 +221,10 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             if has_purpose(before, Purpose.IN_SHORT) and isinstance(block, Display) and _is_repeated(block, shown):
                 blocks[-1] = prose(Emphasis("In short"), ": combined, these are the equations at the head of the page.")
             elif has_purpose(before, Purpose.CONSTANT_RATES) and isinstance(block, Display) and _is_shown(block, shown):
-                blocks[-1] = replace(before, parts=(*before.parts, " those at the head of the page."))
+                if len(block.equations) == 1:
+                    blocks.pop()
+                else:
+                    blocks[-1] = replace(before, parts=(*before.parts, " those at the head of the page."))
             else:
                 blocks.append(block)
         if blocks or not step.body:

@@ -314,7 +314,10 @@ def _accelerations(meaning: ResultMeaning) -> Iterator[Block]:
     step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
     names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
     which = ", all of them constant:" if whole else " that are constant:"
-    yield prose(Emphasis("Accelerations"), which, purpose=Purpose.CONSTANT_RATES)
+    if whole and len(meaning.constant) == 1:
+        yield prose(Emphasis("Acceleration"), ", which is constant:", purpose=Purpose.CONSTANT_RATES)
+    else:
+        yield prose(Emphasis("Accelerations"), which, purpose=Purpose.CONSTANT_RATES)
     yield from with_named_denominators(step, names).body
 
 

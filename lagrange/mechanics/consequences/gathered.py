@@ -26,7 +26,14 @@ from lagrange.mechanics.consequences.oscillations import (
     double_resonance,
     sleeping_axis,
 )
-from lagrange.mechanics.consequences.time_dependent import FastDrive, SlowChange, fast_drive, slow_change
+from lagrange.mechanics.consequences.time_dependent import (
+    FastDrive,
+    SlowChange,
+    UniformStiffness,
+    fast_drive,
+    slow_change,
+    uniform_stiffness,
+)
 from lagrange.mechanics.consequences.vectors import (
     ConeVector,
     ConstantSpin,
@@ -59,6 +66,7 @@ class Consequences:
     sleeping: SleepingAxis | None
     drive: FastDrive | None
     slow: SlowChange | None
+    uniform: UniformStiffness | None
 
 
 def consequences(solution: Solution, view: InCoordinates) -> Consequences:
@@ -77,6 +85,7 @@ def consequences(solution: Solution, view: InCoordinates) -> Consequences:
         sleeping_axis(solution, view, free_letter("n", "s", "nu", taken=taken)),
         fast_drive(view),
         slow_change(view),
+        None if solution.problem.initial else uniform_stiffness(view),
     )
 
 

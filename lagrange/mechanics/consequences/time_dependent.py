@@ -1,4 +1,6 @@
-"""One degree of freedom in which time occurs: a fast drive averaged, and a length that changes slowly.
+"""One degree of freedom: a motion with a constant stiffness, a fast drive averaged, a length that changes slowly.
+
+*Constant stiffness.* The general solution of q'' = k q + b is C_1 cosh √k t + C_2 sinh √k t − b/k for k > 0.
 
 *Fast drive.* Let q'' = f(q) + a Ω² (γ(q) cos Ωt + σ(q) sin Ωt), where f, γ and σ contain neither a nor Ω. For Ω → ∞
 with a Ω constant the motion is a slow one with a small ripple, −a (γ cos Ωt + σ sin Ωt), and to leading order the mean
@@ -66,6 +68,31 @@ class SlowChange:
     place: sp.Expr
     length: sp.Symbol
     exponent: sp.Expr
+
+
+@record
+class UniformStiffness:
+    """The general motion; `first` and `second` are the functions of time that its two constants multiply."""
+
+    coordinate: sp.Symbol
+    first: sp.Expr
+    second: sp.Expr
+    rest: sp.Expr
+
+
+def uniform_stiffness(view: InCoordinates) -> UniformStiffness | None:
+    """The general solution, where it grows; of oscillations the period is said."""
+    value = _acceleration(view)
+    slots = view.configuration.slots
+    if value is None or slots.prescribed or value.free_symbols & {*slots.velocities, t}:
+        return None
+    [q] = slots.coordinates
+    k = value.diff(q)
+    if not k.is_positive or k.has(q):
+        return None
+    rate = sp.sqrt(sp.factor(k))
+    rest = textbook_form(-value.xreplace({q: sp.S.Zero}) / k)
+    return UniformStiffness(q, sp.cosh(rate * t), sp.sinh(rate * t), rest)
 
 
 def _acceleration(view: InCoordinates) -> sp.Expr | None:

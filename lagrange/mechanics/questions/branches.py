@@ -26,7 +26,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import Bounded, Slots, base, prime, t
+from lagrange.core.symbols import Bounded, Slots, base, prime, t, without_known_magnitudes
 from lagrange.mechanics.questions.forms import with_joined_logarithms
 from lagrange.mechanics.questions.limits import MOST_SIGNS
 from lagrange.mechanics.questions.results import AnswerBranch, Reason
@@ -290,6 +290,7 @@ def sign_of_value(e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int |
 
 @lru_cache(maxsize=MOST_SIGNS)
 def _sign_where(e: sp.Expr, conditions: tuple[SignCondition, ...]) -> int | None:
+    e = without_known_magnitudes(e)
     if is_zero(e) is True:
         return 0
     sign = _sign_of_angle(e, conditions) if e.has(sp.acos) else None  # first: of the whole it takes long
@@ -355,6 +356,8 @@ def _by_squares(e: sp.Expr, above: Sequence[sp.Expr] = ()) -> int | None:
             of_a, of_b = sign_of(a), sign_of(b)
             larger = sign_of(sp.expand(a**2 - b**2))
             own = None if None in (of_a, of_b, larger) else (of_a or 0) if larger in (0, 1) else of_b
+            if larger == 0 and of_a is not None and of_b == -of_a:
+                own = 0  # |s| − s of a positive s
         if own is None:
             return None
         sign *= own

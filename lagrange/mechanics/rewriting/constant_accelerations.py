@@ -40,8 +40,10 @@ def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
         return {a: e for a, e in values.items() if not e.free_symbols & moving and not e.atoms(Unspecified)}
     equations = [e.expression for e in motion.final]
     equations += view.configuration.constrained.accelerated_constraints
-    if len(equations) != len(slots.accelerations) or len(equations) < 2:
+    if len(equations) != len(slots.accelerations):
         return {}
+    if len(equations) == 1 and equations[0].coeff(slots.accelerations[0]).is_number:
+        return {}  # it says so already
     if any(e.free_symbols & moving or e.atoms(Unspecified) for e in equations):
         return {}
     rows = [[e.diff(a) for a in slots.accelerations] for e in equations]

@@ -106,6 +106,27 @@ def both_roots(roots: Sequence[sp.Expr]) -> sp.Expr | None:
     return sp.factor_terms(sp.together(middle + SIGN_OF_ROOT * half))
 
 
+def with_like_terms(e: sp.Expr, letters: Collection[sp.Expr]) -> sp.Expr:
+    """Sums with (M + m) g for M g + m g: terms that differ in one of these letters only."""
+    if e.is_Atom:
+        return e
+    inner = [with_like_terms(a, letters) if isinstance(a, sp.Expr) else a for a in e.args]
+    if any(a is not b for a, b in zip(inner, e.args, strict=True)):
+        e = e.func(*inner)
+    if not e.is_Add:
+        return e
+    groups: dict[sp.Expr, list[sp.Expr]] = {}
+    for term in e.args:
+        own = [f for f in sp.Mul.make_args(term) if f in letters]
+        for letter in own:
+            groups.setdefault(term / letter, []).append(letter)
+    rest, shared = next(((r, s) for r, s in groups.items() if len(s) > 1 and not r.is_number), (None, []))
+    if rest is None:
+        return e
+    others = [a for a in e.args if a not in {rest * s for s in shared}]
+    return with_like_terms(sp.Add(sp.Mul(rest, sp.Add(*shared)), *others), letters)
+
+
 def with_turned_sum(e: sp.Expr) -> sp.Expr:
     """Products without a minus sign in front where a sum or the angle of a sine takes it: W (R − h) for −W (h − R).
 

@@ -75,6 +75,13 @@ def judged(answer: WrongAnswer) -> Judgement:
     return examiner(answer.problem).check(tuple(map(Fragment.of, answer.equations)))
 
 
+def feedback_on(problem: str, stated: str) -> str:
+    """Everything that is said of an answer, with `;` between its equations."""
+    judgement = examiner(problem).check(tuple(map(Fragment.of, stated.split(";"))))
+    parts = (judgement.equations, *judgement.others)
+    return "; ".join([p.diagnosis for p in parts] + [e.diagnosis for p in parts for e in p.equations])
+
+
 def helps(answer: WrongAnswer, judgement: Judgement) -> bool:
     """Whether the cause is named."""
     return any(e.model in answer.expected for e in wrong_parts(judgement))
@@ -97,6 +104,5 @@ def assert_named(answer: WrongAnswer) -> None:
 
 UNEXPLAINED = {
     "cylinder-in-cylinder: R for R - r",
-    "swinging-yo-yo: offset r left out",
 }
 """Where another cause, or none, is named."""

@@ -7,7 +7,7 @@ import pytest
 from lagrange.answers.examiner import Examiner
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
-from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, name_of, wrong_parts
+from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, feedback_on, name_of, wrong_parts
 
 
 @pytest.mark.parametrize("answer", answers_by("forces"), ids=name_of)
@@ -40,3 +40,27 @@ def test_a_spring_on_what_is_carried() -> None:
         )
     )
     assert [e.model for e in wrong_parts(judgement)] == ["force on what is carried"] * 2
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        (
+            "rough-wedge",
+            "M*X'' = -m*(g*cos(alpha) + X''*sin(alpha))*sin(alpha); s'' + X''*cos(alpha) = g*sin(alpha) - mu*(g*cos(alpha) + X''*sin(alpha))",
+            "without the friction `drag`",
+        ),
+        (
+            "wheel-suspension",
+            "M*z1'' + b*(z1' - z2') + c*(z1 - z2) = 0; m*z2'' + c_T*(z2 - u) = 0",
+            "`suspension` and `damper` acting on `body` only",
+        ),
+        (
+            "three-link-chain",
+            "3*alpha'' + 2*beta''*cos(alpha - beta) + gamma''*cos(alpha - gamma) + 2*beta'^2*sin(alpha - beta) + gamma'^2*sin(alpha - gamma) + g/l*sin(alpha) = 0",
+            "without the weights of `B`, `C`",
+        ),
+    ],
+)
+def test_reactions_of_forces_on_other_bodies(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)

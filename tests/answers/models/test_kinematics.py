@@ -12,7 +12,7 @@ import pytest
 from lagrange.answers.examiner import Examiner
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
-from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, name_of
+from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, feedback_on, name_of
 
 
 @pytest.mark.parametrize("answer", answers_by("kinematics"), ids=name_of)
@@ -74,3 +74,17 @@ def test_a_constraint_with_another_factor_and_two_angles(problem: str, answer: s
     examiner = Examiner.of(read_problem(Source("problem.yaml", problem)))
     [verdict] = examiner.check((Fragment.of(answer),)).each
     assert said in verdict.diagnosis
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        (
+            "two-wheeled-carriage",
+            "(M + 2*m + 2*K/R^2)*v' = M*a*omega^2 + (tau_1 + tau_2)/R; (I + M*a^2 + 2*J + 8*m*b^2 + 8*K*b^2/R^2)*omega' = -M*a*v*omega + 2*b*(tau_2 - tau_1)/R",
+            "with 2*b in place of b throughout",
+        ),
+    ],
+)
+def test_a_length_twice_as_large_throughout(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)

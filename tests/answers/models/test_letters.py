@@ -8,6 +8,7 @@ from lagrange.answers.examiner import Examiner
 from lagrange.answers.verdicts import Judgement, Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.problem.model import Answers
+from tests.answers.models.slips import feedback_on
 from tests.support.shared import loaded, solved
 
 EQUILIBRIA = [
@@ -86,3 +87,13 @@ def test_frequencies_of_a_changed_problem(stated: tuple[str, ...], said: str) ->
     [other] = judged("double-pendulum-small-oscillations", answers).others
     assert said in other.diagnosis
     assert ("these are" in other.diagnosis) is bool(said)
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        ("turning-parabola", "F = m*Omega*rho'", "it is half as large as it should be"),
+    ],
+)
+def test_a_reaction_half_as_large(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)

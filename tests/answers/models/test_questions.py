@@ -10,6 +10,7 @@ from lagrange.answers.models.questions import explained_value
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.problem.model import Answers
+from tests.answers.models.slips import feedback_on
 from tests.support.shared import loaded, solved
 
 # worked out by hand: the value that the mistake leads to
@@ -49,3 +50,26 @@ def test_differences_of_values() -> None:
     )
     assert explained_value(right * 35 / 36, right, set()) == ""
     assert explained_value(right + sp.Symbol("q"), right, set()) == "the right answer does not depend on q"
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        ("rod-falls-on-an-edge", "theta' = 3*a*v/l^2", "the term 3*a^2 in the denominator is missing"),
+        ("bell-and-clapper", "I_2 = m*b*((M*a^2 + I_1)/(M*a) - l - b)", "the term m*l in the denominator is missing"),
+        ("bead-on-rotating-hoop", "cos(theta) = g/(Omega^2*R): omega = Omega", "without g, as if g = 0"),
+    ],
+)
+def test_terms_of_denominators(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        ("hoop-off-a-cylinder", "cos(theta) = (R + a)/(2*R + a)", "taken for its change"),
+        ("loop-the-loop", "h = 3*R/2", "wrong sign"),
+    ],
+)
+def test_what_holds_for_any_value_explains_none(problem: str, stated: str, said: str) -> None:
+    assert said not in feedback_on(problem, stated)

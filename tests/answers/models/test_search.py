@@ -10,7 +10,7 @@ from lagrange.answers.models.search import changed_rows, explained, inverted
 from lagrange.answers.readings import read_answer
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
-from tests.answers.models.slips import examiner
+from tests.answers.models.slips import examiner, feedback_on
 from tests.support.shared import reference_of
 
 ANSWERS = [
@@ -111,3 +111,22 @@ def test_an_equation_between_accelerations_is_not_explained_by_a_problem_in_whic
     assert any_numbers.diagnosis == "Something is wrong in its terms with accelerations."
     [own] = wedge.check((Fragment.of("m*X'' + m*x'' = 0"),)).each
     assert own.model == "mass left out"
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        (
+            "ladder-leaves-the-wall",
+            "m*l^2/2*theta'^2 = m*g*l*(cos(alpha) - cos(theta)); theta'' = g*sin(theta)/l",
+            "without the rotational energy of `ladder`",
+        ),
+        (
+            "swinging-yo-yo",
+            "r*psi' = -s'; (m + I_G/r^2)*s'' = m*s*phi'^2 + m*g*cos(phi); s*phi'' + 2*s'*phi' + g*sin(phi) = 0",
+            "without r in the position",
+        ),
+    ],
+)
+def test_equations_of_motion_beside_wrong_lines(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)

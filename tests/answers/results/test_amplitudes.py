@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.answers.models.slips import feedback_on
 from tests.answers.results.diagnoses import Row, assert_explained
 
 ABSORBER = "dynamic-absorber"
@@ -23,3 +24,14 @@ WRONG: list[Row] = [
 @pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG)
 def test_amplitudes(problem: str, key: str, stated: object, said: str) -> None:
     assert_explained(problem, key, stated, said)
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        ("damped-oscillator", "x = F/(c - m*w^2 + b*w)", "are added as if they had one phase"),
+        ("damped-oscillator", "x = F/sqrt((c - m*w^2)^2 - b^2*w^2)", "the sign of (b*w)^2 under the root is wrong"),
+    ],
+)
+def test_what_is_not_in_phase(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)

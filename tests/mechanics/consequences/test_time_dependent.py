@@ -8,7 +8,8 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from lagrange.core.diagnostics import Source
-from lagrange.mechanics.consequences.time_dependent import fast_drive, slow_change
+from lagrange.core.symbols import prime, t
+from lagrange.mechanics.consequences.time_dependent import fast_drive, slow_change, uniform_stiffness
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
@@ -104,3 +105,30 @@ def test_the_amplitude_of_a_pendulum_that_is_pulled_up() -> None:
 @pytest.mark.parametrize("name", ["ex11-ideal-pendulum", "kapitza-pendulum", "ex17-spherical-pendulum"])
 def test_no_length_changes_slowly_elsewhere(name: str) -> None:
     assert slow_change(solved(name).chosen) is None
+
+
+WIRE = """
+title: Bead on a turning wire
+parameters: {m: positive, w: positive, a: positive}
+coordinates: [r]
+particles: {P: {mass: m, position: "r*cos(w*t)*i + r*sin(w*t)*j"}}
+forces: {pull: {potential: "m*a*r"}}
+"""
+
+
+def test_a_motion_that_grows_satisfies_its_equation() -> None:
+    view = read(WIRE)
+    found = uniform_stiffness(view)
+    assert found is not None
+    assert view.motion is not None
+    [equation] = (e.expression for e in view.motion.final)
+    for part in (found.first, found.second):
+        path = found.rest + part
+        state = {
+            found.coordinate: path,
+            prime(found.coordinate): path.diff(t),
+            prime(found.coordinate, 2): path.diff(t, 2),
+        }
+        assert sp.simplify(equation.xreplace(state)) == 0
+    assert uniform_stiffness(solved("ex11-ideal-pendulum").chosen) is None
+    assert uniform_stiffness(read(WIRE.replace("m*a*r", "m*a*r^2 + m*w^2*r^2"))) is None  # it oscillates

@@ -7,6 +7,7 @@ import math
 import pytest
 import sympy as sp
 
+from lagrange.core.symbols import Bounded
 from lagrange.explain.report import report
 from lagrange.mechanics.questions.branches import sign_of_value
 from lagrange.mechanics.questions.results import Reason
@@ -52,3 +53,32 @@ def test_the_sign_of_a_sum_with_a_logarithm() -> None:
     assert sign_of_value(k * v - g * sp.log((g + k * v) / g)) == 1
     assert sign_of_value(k * v / (g + k * v) - sp.log((g + k * v) / g)) == -1
     assert sign_of_value(k - sp.log((g + v) / g)) is None
+
+
+def test_the_magnitude_of_what_is_positive_is_no_other_value() -> None:
+    """|sin α| − sin α is zero for an acute angle, and of no sign for any: a ladder was said to have left its wall."""
+    acute = Bounded("alpha", low=sp.S.Zero, high=sp.pi / 2, strict=(True, True))
+    s, g = sp.sin(acute), sp.Symbol("g", positive=True)
+    assert sign_of_value(sp.expand(g * sp.sqrt(9 - 4 * s**2) * (sp.Abs(s) - s))) == 0
+    free = sp.sin(sp.Symbol("beta", real=True))
+    assert sign_of_value(g * (sp.Abs(free) - free)) in (None, 1)
+
+
+def test_a_ladder_leaves_its_wall_whichever_angle_is_taken(problem: Read) -> None:
+    text = """
+title: Ladder
+parameters: {m: positive, a: positive, g: positive, theta_0: acute}
+coordinates: [x, y, theta]
+bodies: {ladder: {mass: m, inertia: m*a^2/3, position: x*i + y*j, angle: -theta}}
+constraints:
+  wall: {equation: x >= a*cos(theta), reaction: N_B}
+  floor: {equation: y >= a*sin(theta), reaction: N_A}
+gravity: -g*j
+generalized_coordinates: {tilt: {coordinates: [theta]}}
+initial: {theta: theta_0, theta': 0}
+ask: {leaves: {quantity: theta, when: N_B = 0}}
+"""
+    [branch] = asked(problem, text).branches
+    [start] = [s for s in branch.rhs.free_symbols if s.name == "theta_0"]
+    assert isinstance(branch.lhs, sp.sin)
+    assert branch.rhs == 2 * sp.sin(start) / 3

@@ -65,3 +65,22 @@ def test_wrong_accelerations_are_noticed(name: str) -> None:
     wrong = {a: 2 * e for a, e in constant_accelerations(solution.chosen).items()}
     assert solution.law is not None
     assert forces_in_turn(solution.law, solution.own, solution.chosen, wrong) is None
+
+
+def test_one_acceleration_that_the_equation_does_not_say() -> None:
+    """Atwood's machine with a pulley, by hand; a stone that falls says it already."""
+    text = """
+title: Atwood's machine
+parameters: [m_1, m_2, I, R, g]
+coordinates: [x]
+particles: {A: {mass: m_1, position: x*j}, B: {mass: m_2, position: R*i - x*j}}
+bodies: {pulley: {inertia: I, position: 0*i, angle: x/R}}
+gravity: g*j
+"""
+    [value] = constant_accelerations(solve(read_problem(Source("a.yaml", text))).own).values()
+    m_1, m_2, I, R, g = (next(s for s in value.free_symbols if s.name == n) for n in ("m_1", "m_2", "I", "R", "g"))
+    assert sp.cancel(value - (m_1 - m_2) * g / (m_1 + m_2 + I / R**2)) == 0
+    stone = (
+        "title: Stone\nparameters: [m, g]\ncoordinates: [x]\nparticles: {A: {mass: m, position: x*j}}\ngravity: g*j\n"
+    )
+    assert constant_accelerations(solve(read_problem(Source("b.yaml", stone))).own) == {}

@@ -15,6 +15,7 @@ from lagrange.mechanics.rewriting.factors import (
     vector_with_factor,
     with_common_factor,
     with_factor,
+    with_like_terms,
     with_turned_sum,
     without_constant_factors,
     without_shared_constant,
@@ -83,3 +84,15 @@ def test_nothing_is_multiplied_out() -> None:
     a, b = sp.symbols("a b", positive=True)
     assert with_turned_sum(sp.Mul(-2, a - b, evaluate=False)).args == (2, b - a)
     assert with_turned_sum(sp.Mul(-2, a, a - b, evaluate=False)).args == (2, a, b - a)
+
+
+def test_terms_that_differ_in_a_letter_are_one() -> None:
+    M, m, g, c, l, x = sp.symbols("M m g c l x", positive=True)
+    letters = {M, m, g, c, l}
+    root = sp.sqrt((M * g + m * g + c * l) ** 2 - 4 * M * c * g * l)
+    assert with_like_terms(M * g + m * g + c * l - root, letters) == (M + m) * g + c * l - sp.sqrt(
+        ((M + m) * g + c * l) ** 2 - 4 * M * c * g * l
+    )
+    for kept in (M + m, M * g + 2 * m * g * l, M * x + M * x**2, M * g + c * l):
+        assert with_like_terms(kept, letters) == kept
+    assert sp.expand(with_like_terms(M * g * l - m * g * l + c, letters) - (M * g * l - m * g * l + c)) == 0

@@ -1,4 +1,7 @@
-"""Minus signs in front of products that a sum in them takes: W (R − h) for −W (h − R), in formulas and in sentences."""
+"""Minus signs in front of products that a sum in them takes: W (R − h) for −W (h − R), in formulas and in sentences.
+
+Like terms of frequencies in one: (M + m) g for M g + m g.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,23 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.document.derivation import Block, Display, Math, Mathematics, Part, Prose, Rule, Step
-from lagrange.mechanics.rewriting.factors import with_turned_sum
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.factors import with_like_terms, with_turned_sum
 
 _AS_COMPUTED = (Rule.CONSTRAINT, Rule.PFAFFIAN_FORM, Rule.INTEGRABILITY, Rule.DISPLACEMENTS)
 """Forms and their coefficients, which tables and mixed derivatives repeat."""
+
+
+def with_like_terms_in_one(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps with frequencies in which terms that differ in a parameter only are one."""
+    letters = {p.symbol for p in solution.problem.parameters}
+
+    def side(s: Mathematics) -> Mathematics:
+        return with_like_terms(s, letters) if isinstance(s, sp.Expr) and s.atoms(sp.Pow) else s
+
+    for step in steps:
+        about = step.rule in (Rule.LINEARIZATION, Rule.RESULT) and not step.folded
+        yield step.map(lambda e: replace(e, sides=tuple(map(side, e.sides)))) if about else step
 
 
 def with_turned_sums(steps: Iterable[Step]) -> Iterator[Step]:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.core.diagnostics import Source
+from lagrange.explain.report import report
+from lagrange.problem.loader import read_problem
 from lagrange.render import terminal
 from tests.support.shared import reported
 
@@ -21,6 +24,23 @@ def test_a_sum_takes_the_sign(name: str, shown: str, before: str) -> None:
     page = " ".join(terminal.text(made.derivation, made.notation, 200).split())
     assert shown in page
     assert before not in page
+
+
+def test_the_root_of_a_frequency_is_last_and_the_weight_is_one_term() -> None:
+    text = """
+title: Pendulum on a cart
+parameters: [M, m, l, c, g]
+coordinates: [x, theta]
+particles:
+  cart: {mass: M, position: x*i}
+  bob: {mass: m, position: x*i + l*sin(theta)*i + l*cos(theta)*j}
+gravity: g*j
+forces: {spring: {potential: c*x^2/2}}
+find: [motion, linearization]
+"""
+    made = report(read_problem(Source("cart.yaml", text)), complete=False)
+    page = " ".join(terminal.text(made.derivation, made.notation, 200).split())
+    assert "ω₁² = {c l + (M + m) g − √([c l + (M + m) g]² − 4M c g l)}/(2M l)" in page
 
 
 def test_forms_and_their_derivatives_stay_as_computed() -> None:
