@@ -17,6 +17,9 @@ from __future__ import annotations
 
 import gc
 import os
+
+os.environ["SYMPY_CACHE_SIZE"] = "30000"  # a process meets the same expressions again; read when SymPy is imported
+
 from collections import Counter
 from collections.abc import Callable, Iterator
 from datetime import date
@@ -56,6 +59,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    os.environ.pop("SYMPY_CACHE_SIZE", None)  # child processes are as a user has them
     try_times(config.getoption("--times"))
     gc.set_threshold(
         200_000, 50, 100

@@ -9,7 +9,7 @@ something out, the answer is also read as tan θ = u.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from itertools import combinations, product
 
@@ -296,93 +296,113 @@ def _explained(
     for e in [e for e in equilibria if e.branches]:
         values = dict(reference.values)
         wrong = [a for a in everything if not _right(_verdict_of([a], e, reference, values))]
-        if why := next(_reasons(wrong, e, reference, problem), ""):
+        if why := next(_Wrong(wrong, e, reference, problem).reasons(), ""):
             return why
     return ""
 
 
-def _reasons(
-    wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
-) -> Iterator[str]:
-    """What wrong alternatives are instead, the likeliest first."""
-    from lagrange.answers.models.one_place import other_waves
-    from lagrange.answers.results.at_random import AtRandom
-    from lagrange.answers.results.other_sides import INVERTED, other_sides
-    from lagrange.answers.results.resting import WrongEquilibria, angles_and_lengths
+class _Wrong:
+    """Wrong alternatives of an answer, and for which other problem they would be right."""
 
-    values = dict(reference.values)
-    stated = [c for a in wrong for r in a for c in r.components]
-    tried = WrongEquilibria([[c for r in a for c in r.components] for a in wrong], e, values)
+    def __init__(
+        self, wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
+    ) -> None:
+        from lagrange.answers.results.at_random import AtRandom
+        from lagrange.answers.results.resting import WrongEquilibria
 
-    unspecified = any(x.atoms(Unspecified) for x in (*e.work.forces, *stated))
-    at_random = AtRandom([[c for r in a for c in r.components] for a in wrong], e)
+        self.wrong, self.e, self.reference, self.problem = wrong, e, reference, problem
+        self.values = dict(reference.values)
+        self.stated = [c for a in wrong for r in a for c in r.components]
+        self.tried = WrongEquilibria(_components(wrong), e, self.values)
+        self.unspecified = any(x.atoms(Unspecified) for x in (*e.work.forces, *self.stated))
+        self.at_random = AtRandom(_components(wrong), e)
 
-    def holds(variation: Variation) -> bool:
-        if not (tried.tried and unspecified) and not at_random.may_hold(variation):
+    def reasons(self) -> Iterator[str]:
+        """What they are instead, the likeliest first."""
+        from lagrange.answers.models.one_place import other_waves
+        from lagrange.answers.results.meanings import wrong_dimension
+        from lagrange.answers.results.other_sides import INVERTED, other_sides
+        from lagrange.answers.results.resting import angles_and_lengths
+
+        e = self.e
+        others = [*other_sides(self.wrong)]
+        yield from self._with_sides(s for s in others if s[0] == INVERTED)
+        slots, forces = e.configuration.slots, (*e.expressions, *e.work.forces)
+        variations = letter_variations(self.stated, forces, slots, (*e.forces, *e.multipliers))
+        pairs = combinations(e.forces, 2)
+        yield from self._varied(Variation(f"with {a} and {b} exchanged", "", rule={a: b, b: a}) for a, b in pairs)
+        if self.problem is not None:
+            yield from filter(None, [self.tried.of_differential(self.problem)])
+        yield from self._varied(v for v in variations if v.rule and v.clause.endswith("exchanged"))
+        yield from self._varied(angles_and_lengths(self.stated, e))
+        yield from self._with_sides(other_waves(self.wrong, slots.coordinates))
+        if self.problem is not None and self.tried.tried:
+            yield from _equilibria(self.tried.of_changed_problem(self.problem))
+        bound = geometry_of(e.configuration)
+        tied = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
+        fit = (v for v in variations if (bound if 0 in v.values.values() else tied).isdisjoint(v.values))
+        yield from self._varied(fit)
+        yield from self._with_sides(s for s in others if s[0] != INVERTED)
+        foreign = self._foreign_parameters()
+        if others and self.tried.tried:
+            yield from self._without_factor(foreign)
+        if self.problem is not None:
+            yield from _equilibria(self.tried.of_one_force(self.problem))
+        if self.tried.tried:
+            yield from filter(None, [self.tried.of_displacement()])
+        yield from filter(None, (wrong_dimension(c, self.reference.units) for c in self.stated))
+        if foreign:
+            yield f"the conditions of equilibrium do not depend on {', '.join(sorted(foreign))}"
+
+    def _varied(self, variations: Iterable[Variation]) -> Iterator[str]:
+        return (f"these are the equilibria {v.clause}" for v in variations if self._holds(v))
+
+    def _with_sides(self, changed: Iterable[tuple[str, Sequence[tuple[Reading, ...]]]]) -> Iterator[str]:
+        return (sentence for sentence, sides in changed if self._right(sides))
+
+    def _holds(self, variation: Variation) -> bool:
+        """Whether they are the equilibria of the problem that is changed so."""
+        if not (self.tried.tried and self.unspecified) and not self.at_random.may_hold(variation):
             return False
-        if tried.tried:
-            return tried.holds(variation)
+        if self.tried.tried:
+            return self.tried.holds(variation)
         rule = dict(variation.rule)
         changed = [
-            tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong
+            tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in self.wrong
         ]
-        return _right(_verdict_of(changed, e, reference, {**values, **variation.values}))
+        return _right(_verdict_of(changed, self.e, self.reference, {**self.values, **variation.values}))
 
-    def right(sides: Sequence[tuple[Reading, ...]]) -> bool:
-        if tried.tried:
-            return WrongEquilibria([[c for r in a for c in r.components] for a in sides], e, values).holds(_AS_IT_IS)
-        if not AtRandom([[c for r in a for c in r.components] for a in sides], e).may_hold(_AS_IT_IS):
+    def _right(self, sides: Sequence[tuple[Reading, ...]]) -> bool:
+        """Whether other alternatives are the equilibria of the problem as it is."""
+        from lagrange.answers.results.at_random import AtRandom
+        from lagrange.answers.results.resting import WrongEquilibria
+
+        if self.tried.tried:
+            return WrongEquilibria(_components(sides), self.e, self.values).holds(_AS_IT_IS)
+        if not AtRandom(_components(sides), self.e).may_hold(_AS_IT_IS):
             return False
-        return _right(_verdict_of(sides, e, reference, values))
+        return _right(_verdict_of(sides, self.e, self.reference, self.values))
 
-    others = [*other_sides(wrong)]
-    inverted = [pair for pair in others if pair[0] == INVERTED]
-    for sentence, sides in inverted:
-        if right(sides):
-            yield sentence
-    slots, bound = e.configuration.slots, geometry_of(e.configuration)
-    tied = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
-    variations = letter_variations(stated, (*e.expressions, *e.work.forces), slots, (*e.forces, *e.multipliers))
-    for a, b in combinations(e.forces, 2):
-        if holds(swap := Variation(f"with {a} and {b} exchanged", "", rule={a: b, b: a})):
-            yield f"these are the equilibria {swap.clause}"
-    if problem is not None and (slip := tried.of_differential(problem)):
-        yield slip
-    for variation in variations:
-        if variation.rule and variation.clause.endswith("exchanged") and holds(variation):
-            yield f"these are the equilibria {variation.clause}"
-    for variation in angles_and_lengths(stated, e):
-        if holds(variation):
-            yield f"these are the equilibria {variation.clause}"
-    for sentence, sides in other_waves(wrong, slots.coordinates):
-        if right(sides):
-            yield sentence
-    if problem is not None and tried.tried and (clause := tried.of_changed_problem(problem)):
-        yield f"these are the equilibria {clause}"
-    for variation in variations:
-        unfit = bound if 0 in variation.values.values() else tied
-        if unfit.isdisjoint(variation.values) and holds(variation):
-            yield f"these are the equilibria {variation.clause}"
-    for sentence, sides in others:
-        if sentence != INVERTED and right(sides):
-            yield sentence
-    own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
-    more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
-    more &= {*reference.parameters}
-    if others and tried.tried:
-        lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))
-        factor = tried.missing_factor(lhs, rhs)
-        if factor is not None and not {s.name for s in factor.free_symbols} & more:
+    def _foreign_parameters(self) -> set[str]:
+        """Parameters that are in the answer and not in the conditions."""
+        own = {s.name for x in (*self.e.expressions, *self.e.work.forces) for s in x.free_symbols}
+        stated = {s.name for c in self.stated for s in c.free_symbols}
+        return (stated - own) & {*self.reference.parameters}
+
+    def _without_factor(self, foreign: Set[str]) -> Iterator[str]:
+        lhs, rhs = (s for s in self.wrong[0][0].sides if isinstance(s, sp.Expr))
+        factor = self.tried.missing_factor(lhs, rhs)
+        if factor is not None and foreign.isdisjoint(s.name for s in factor.free_symbols):
             yield f"its right side has to be multiplied by {text(factor, Notation())}"
-    if problem is not None and (clause := tried.of_one_force(problem)):
-        yield f"these are the equilibria {clause}"
-    if tried.tried and (implied := tried.of_displacement()):
-        yield implied
-    from lagrange.answers.results.meanings import wrong_dimension
 
-    yield from filter(None, (wrong_dimension(c, reference.units) for c in stated))
-    if more:
-        yield f"the conditions of equilibrium do not depend on {', '.join(sorted(more))}"
+
+def _components(alternatives: Sequence[tuple[Reading, ...]]) -> list[list[sp.Expr]]:
+    return [[c for r in a for c in r.components] for a in alternatives]
+
+
+def _equilibria(clause: str) -> Iterator[str]:
+    if clause:
+        yield f"these are the equilibria {clause}"
 
 
 _AS_IT_IS = Variation("", "")

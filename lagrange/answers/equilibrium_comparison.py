@@ -564,9 +564,9 @@ class EquilibriumComparison:
     def _is_conditional(self, own: SolutionSet, point: Values, values: Values) -> bool:
         """Whether a solution of the answer is an equilibrium under the condition of a branch: 5 H ≥ g.
 
-        Where a root has the sign of 5 H − g, the forces balance for some parameters only, and not identically.
+        Where a root has the sign of 5 H − g, the forces balance for some parameters only: not of a special branch.
         """
-        known = (p for n, p in self.points if self.branches[n].conditions)
+        known = (p for n, p in self.points if self.branches[n].conditions and not self.branches[n].special)
         functions = self._functions(self.unknowns)
         return self.solution.verified is True and any(
             agree(own, point, self.solution, {**p, **values}, functions) for p in known

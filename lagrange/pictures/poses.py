@@ -53,6 +53,8 @@ _SIZES = {
     "k": 0.4,
 }
 BOWL = re.compile(r"\bbowl|hemispher|\btrough|\bgroove|\bcup\b", re.IGNORECASE)
+_HANGS = re.compile(r"\bhang|\bsuspended|\bpendulum", re.IGNORECASE)
+_UPRIGHT = re.compile(r"\binvert|\bupright|\bstand|\babove", re.IGNORECASE)
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
@@ -192,9 +194,9 @@ def _guess(
 
 
 def _below(problem: Problem, configuration: Configuration, points: Sequence[Vector]) -> Iterator[sp.Symbol]:
-    """The coordinates upwards of what is in a bowl about O, whose upper half its relation does not exclude."""
-    down = problem.gravity
-    if down is None or not BOWL.search(f"{problem.title} {problem.description}"):
+    """The coordinates upwards of what is in a bowl, or hangs, where its relation does not tell above O from below."""
+    down, text = problem.gravity, f"{problem.title} {problem.description}"
+    if down is None or not (BOWL.search(text) or (_HANGS.search(text) and not _UPRIGHT.search(text))):
         return
     for s in configuration.slots.coordinates:
         even = [f for f in configuration.finite_constraints if sp.sympify(f, strict=True).has(s)]

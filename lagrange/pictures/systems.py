@@ -249,7 +249,7 @@ class SystemPicture:
             moving = [q for q in self.pose.coordinates if any(c.has(q) for c in components)]
             if len(moving) > 1 and self.is_round:  # a hoop that turns itself
                 moving = [q for q in moving if self._is_on_circle(q, p.position)]
-            if len(moving) != 1 or p.mass == 0 or any(c.has(t) for c in components):
+            if len(moving) != 1 or p.mass == 0 or (any(c.has(t) for c in components) and not self.is_round):
                 continue
             [q] = moving
             here = self.pose.values[q]

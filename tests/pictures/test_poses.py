@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 import lagrange
+from lagrange.core.symbols import t
 from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.poses import Pose, general_pose
 from tests.support.drawings import DRAWN, evaluated, system_of
@@ -51,3 +53,30 @@ def test_a_ball_is_small_in_its_bowl() -> None:
     )
     values = {str(s): v for s, v in pose_of(text).values.items()}
     assert values["R"] - values["r"] >= 1.2 * values["r"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sign"),
+    [("It hangs from O.", -1), ("It slides in a bowl.", -1), ("It stands upright, unlike a pendulum.", 1)],
+)
+def test_what_hangs_is_below(words: str, sign: int) -> None:
+    text = (
+        f"title: Rod\ndescription: {words}\ngravity: -g*k\nparameters: [m, l, g]\ncoordinates: [x, y, z]\n"
+        "particles: {P: {mass: m, position: x*i + y*j + z*k}}\nconstraints: {length: x^2 + y^2 + z^2 = l^2}\n"
+    )
+    problem = lagrange.loads(text)
+    pose = general_pose(problem, kinematics_and_law(problem).own.configuration)
+    assert pose is not None
+    assert pose.values[sp.Symbol("z", real=True)] * sign > 0
+
+
+def test_what_turns_with_time_is_seen_from_the_side() -> None:
+    text = (
+        "title: Governor\ngravity: -g*k\nparameters: [m, l, Omega, g]\ncoordinates: [theta]\nparticles:\n"
+        "  P: {mass: m, position: l*sin(theta)*(cos(Omega*t)*i + sin(Omega*t)*j) - l*cos(theta)*k}\n"
+    )
+    problem = lagrange.loads(text)
+    pose = general_pose(problem, kinematics_and_law(problem).own.configuration)
+    assert pose is not None
+    turned = pose.values[t] * next(v for s, v in pose.values.items() if s.name == "Omega")
+    assert turned == pytest.approx(1.25)

@@ -38,7 +38,7 @@ def test_tier(test: str, tier: str | None) -> None:
 
 def test_what_took_long_altogether_is_slow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tiers, "MEASURED", tmp_path / "slow_tests.txt")
-    tiers.renew({"a.py::b[1]": 0.6, "a.py::b[2]": 0.6, "a.py::c": 0.4, "truth/d.py::e": 5})
+    tiers.renew({"a.py::b[1]": 0.6, "a.py::b[2]": 0.6, "a.py::c": 0.2, "truth/d.py::e": 5})
     assert tiers.MEASURED.read_text(encoding="utf-8") == "a.py::b 1.2\ntruth/d.py::e 5.0\n"
 
 

@@ -133,4 +133,10 @@ UNPICTURED: dict[str, tuple[str, dict[StrokeKind, int]]] = {
         "constraints: {mesh: r*phi' + R*psi' = 0}\n",
         {BODY: 2, GROUND: 2},
     ),
+    "a bead on a hoop that is turned": (
+        "title: Bead\ndescription: A bead slides on a hoop, which turns about its vertical diameter.\ngravity: -g*k\n"
+        "parameters: [m, R, Omega, g]\ncoordinates: [theta]\nparticles:\n"
+        "  bead: {mass: m, position: R*sin(theta)*(cos(Omega*t)*i + sin(Omega*t)*j) - R*cos(theta)*k}\n",
+        {CURVE: 1, ROD: 0},
+    ),
 }

@@ -101,6 +101,8 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     if growing:
         return _of_product(_factored(sp.expand(f.xreplace(growing))), known)
     roots = {p for term in f.args for p in sp.Mul.make_args(term) if p.is_Pow and p.exp == sp.S.Half}
+    if len(roots) == len(f.args) == 2:
+        return _of_two_roots(f, known)
     if roots:
         return _by_squares(f, roots.pop(), known) if len(roots) == 1 else None
     return _of_bounded(f) or _of_quadratic(f, known)
@@ -176,6 +178,16 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
         return None
     rest = _of_product(_factored(sp.expand(b**2 * root.base - against**2)), known)
     return of_b if rest == 1 else None
+
+
+def _of_two_roots(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
+    """The sign of A √B − C √D: that of A² B − C² D, where A and C have signs."""
+    terms = [(t, _of_product(t, known)) for t in f.args]
+    above = [t for t, sign in terms if sign == 1]
+    below = [t for t, sign in terms if sign == -1]
+    if len(above) != 1 or len(below) != 1:
+        return None
+    return _of_product(_factored(sp.expand(above[0] ** 2 - below[0] ** 2)), known)
 
 
 def _in_sines(e: sp.Expr) -> sp.Expr:

@@ -9,7 +9,7 @@ sign; the name of a reaction may stand for the opposite force or for the multipl
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -143,13 +143,11 @@ class AskedClaim:
             return Verdict.UNDECIDED, _NOT_ANSWERED
         if not self.unit_fits:
             return Verdict.WRONG, "its unit is not one of what is asked for"
-        claim, judged = self.expression, self._of_expression
-        if claim is None:
-            assert self.equation is not None
-            claim, judged = self.equation, self._of_equation
-        verdict, remark = judged(as_written(claim))
+        claim = self.expression if self.expression is not None else self.equation
+        assert claim is not None
+        verdict, remark = self._judged(as_written(claim))
         if verdict in (Verdict.WRONG, Verdict.INCOMPLETE, Verdict.UNDECIDED) and decimals_in([claim]):
-            rounded_verdict, rounded_remark = judged(claim)
+            rounded_verdict, rounded_remark = self._judged(claim)
             if rounded_verdict is Verdict.EQUIVALENT or verdict is not Verdict.INCOMPLETE:
                 right = rounded_verdict is Verdict.EQUIVALENT
                 return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
@@ -161,91 +159,112 @@ class AskedClaim:
 
     def _explained(self, claim: sp.Expr) -> str:
         """The changed problem that a wrong answer solves, or the factor by which it is off; empty if not found."""
-        from lagrange.answers.models.letters import geometry_of, letter_variations
+        return next(filter(None, self._causes(claim)), "")
+
+    def _causes(self, claim: sp.Expr) -> Iterator[str]:
+        """What each kind of cause says about a wrong answer, the likeliest first; empty where it is not that kind."""
+        value = claim if self.expression is not None else self._stated_value(claim)
+        of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
+        if stated is not None:
+            yield from self._of_another_law(value, stated, of)
+        if value is not None:
+            yield self._of_a_factor(value)
+        yield self._of_other_letters(claim)
+        yield self._of_exchanged_waves(claim)
+        if stated is not None:
+            yield from self._of_another_state(value, stated, of)
+
+    def _of_another_law(self, value: sp.Expr | None, stated: sp.Expr, of: sp.Expr) -> Iterator[str]:
+        """Where another law, another body or another instant gives what is stated."""
         from lagrange.answers.models.questions import (
             explained_answer,
             explained_by_constant_velocity,
             explained_by_energy,
-            explained_value,
         )
         from lagrange.answers.results.lost_energy import explained_by_lost_energy
         from lagrange.answers.results.motion import (
             explained_alone,
-            explained_at_start,
             explained_balance,
             explained_by_first_acceleration,
             explained_by_free_fall,
             explained_by_whole_weight,
-            explained_in_any_state,
             explained_instant,
             explained_uniform,
         )
 
-        judged = self._of_expression if self.expression is not None else self._of_equation
-        value = claim if self.expression is not None else self._stated_value(claim)
-        of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
-        for of_forces in (explained_by_free_fall, explained_by_whole_weight) if value is not None else ():
-            if reason := of_forces(value, self.asked, self.candidates):
-                return reason
-        if stated is not None and (body := self._of_another_body(stated, of)):
-            return body
+        if value is not None:
+            for of_forces in (explained_by_free_fall, explained_by_whole_weight):
+                yield of_forces(value, self.asked, self.candidates)
+        yield self._of_another_body(stated, of)
         impact = self.solution.impact
-        before = None if impact is None else impact.kinetic[0]
-        if stated is not None and (lost := explained_answer(self.asked, stated, of, before)):
-            return lost
-        if value is not None and (lost := explained_by_constant_velocity(value, self.asked, self.solution.asked)):
-            return lost
-        if value is not None and (other := explained_instant(value, self.asked, self.solution.asked)):
-            return other
-        if value is not None and (
-            uniform := explained_uniform(value, self.asked, self.solution.asked, self.candidates)
-        ):
-            return uniform
-        if stated is not None and (lost := explained_by_energy(self.asked, stated, of)):
-            return lost
-        if value is not None and (balanced := explained_balance(value, self.asked, self.candidates)):
-            return balanced
-        ways = explained_by_first_acceleration, explained_by_lost_energy, explained_alone
+        yield explained_answer(self.asked, stated, of, None if impact is None else impact.kinetic[0])
+        if value is not None:
+            for of_time in (explained_by_constant_velocity, explained_instant):
+                yield of_time(value, self.asked, self.solution.asked)
+            yield explained_uniform(value, self.asked, self.solution.asked, self.candidates)
+        yield explained_by_energy(self.asked, stated, of)
+        ways = explained_balance, explained_by_first_acceleration, explained_by_lost_energy, explained_alone
         for of_motion in ways if value is not None else ():
-            if lost := of_motion(value, self.asked, self.candidates):
-                return lost
-        for factor, how in _FACTORS if value is not None else ():
+            yield of_motion(value, self.asked, self.candidates)
+
+    def _of_a_factor(self, value: sp.Expr) -> str:
+        """Where a multiple of the value, its square or its root would be right."""
+        for factor, how in _FACTORS:
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how
-        others = () if value is None or value.is_number else ((value**2, "root"), (sp.sqrt(value), "square"))
-        for changed, how in others:
+        for changed, how in () if value.is_number else ((value**2, "root"), (sp.sqrt(value), "square")):
             if self._of_expression(changed)[0] is Verdict.EQUIVALENT:
                 return f"this is the {how} of what is asked for"
-        lengths = geometry_of(self.own.configuration) if self.own is not None else ()
+        return ""
+
+    def _of_other_letters(self, claim: sp.Expr) -> str:
+        """Where letters are exchanged, or one of them is lost."""
+        from lagrange.answers.models.letters import letter_variations
+
         up_to_sign = ""  # a velocity of either sign counts as a speed: what is right as it stands is likelier meant
-        for variation in letter_variations([claim], (), self.scope.slots, lengths=lengths):
+        for variation in letter_variations([claim], (), self.scope.slots, lengths=self._lengths()):
             try:
                 changed = claim.xreplace(dict(variation.rule))
-                verdict, remark = judged(changed) if changed != claim else (Verdict.WRONG, "")
+                verdict, remark = self._judged(changed) if changed != claim else (Verdict.WRONG, "")
                 if verdict is Verdict.EQUIVALENT and not remark:
                     return f"this is the answer {variation.clause}"
                 if verdict is Verdict.EQUIVALENT:
                     up_to_sign = up_to_sign or f"this is the answer {variation.clause}"
             except (DivisionByZeroError, NoPointError, UnsupportedError):
                 continue
-        if up_to_sign:
-            return up_to_sign
-        if (turned := _with_waves_exchanged(claim)) != claim and judged(turned)[0] is Verdict.EQUIVALENT:
+        return up_to_sign
+
+    def _of_exchanged_waves(self, claim: sp.Expr) -> str:
+        if (turned := _with_waves_exchanged(claim)) != claim and self._judged(turned)[0] is Verdict.EQUIVALENT:
             return "this is the answer with sine and cosine exchanged: the angles are measured from another direction"
-        if stated is None:
-            return ""
-        if value is not None and (changed := explained_at_start(value, self.asked, self.candidates)):
-            return changed
+        return ""
+
+    def _of_another_state(self, value: sp.Expr | None, stated: sp.Expr, of: sp.Expr) -> Iterator[str]:
+        """Where the answer is that of another state, lacks terms, or has another dimension."""
+        from lagrange.answers.models.questions import explained_value
+        from lagrange.answers.results.meanings import wrong_dimension
+        from lagrange.answers.results.motion import explained_at_start, explained_in_any_state
+
+        if value is not None:
+            yield explained_at_start(value, self.asked, self.candidates)
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
+        lengths = self._lengths()
         lost = next(filter(None, (explained_value(stated, v, fixed, lengths) for v in right)), "")
         if not lost.startswith("this is the answer without") and value is not None:
             lost = explained_in_any_state(value, self.asked, self.candidates) or lost
-        if lost:
-            return lost
-        from lagrange.answers.results.meanings import wrong_dimension
+        yield lost
+        if right:
+            yield wrong_dimension(stated, self.units, right[0])
 
-        return wrong_dimension(stated, self.units, right[0]) if right else ""
+    def _lengths(self) -> Collection[sp.Basic]:
+        """The parameters of the geometry, which no variation sets to zero."""
+        from lagrange.answers.models.letters import geometry_of
+
+        return geometry_of(self.own.configuration) if self.own is not None else ()
+
+    def _judged(self, claim: sp.Expr) -> tuple[Verdict, str]:
+        return self._of_expression(claim) if self.expression is not None else self._of_equation(claim)
 
     def _of_another_body(self, stated: sp.Expr, of: sp.Expr) -> str:
         """The answer for another moment of inertia, as a sentence; empty if it is none."""

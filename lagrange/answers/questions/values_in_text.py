@@ -331,11 +331,12 @@ def _explained(
 
 
 def _states_quantity(fragment: Fragment, asked: Asked, reference: Reference) -> bool:
-    """Whether one side of a line is the quantity itself, as in R*theta' = ..."""
-    reading = read_as_written(fragment, reference.scope)
+    """Whether one side of a line is the quantity itself, or its square, as in R*theta' = ... and x'^2 = a = b."""
+    pairs = in_pairs(fragment)
+    reading = read_as_written(pairs[0].finished(latex=is_latex(fragment)) if pairs else fragment, reference.scope)
     quantity = asked.question.quantity
     is_expression = not quantity.is_Symbol or base(quantity) != quantity
-    return not reading.error and is_expression and any(s == quantity for s in reading.sides)
+    return not reading.error and is_expression and any(s in (quantity, quantity**2) for s in reading.sides)
 
 
 def _holds_at_a_limit(

@@ -177,74 +177,24 @@ class _Sorting:
         self.unknowns: list[sp.Symbol] = []
         self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
         self.texts: list[str] = []
-        self.sides: dict[
-            str, tuple[Scope, sp.Expr | Vector | None]
-        ] = {}  # what was read of a side, and with which names
-        self.names: dict[str, tuple[Scope, tuple[str, str]]] = {}  # the same of a side that may be a name alone
+        # what was read of a side, and with which names; and the same of a side that may be a name alone
+        self.sides: dict[str, tuple[Scope, sp.Expr | Vector | None]] = {}
+        self.names: dict[str, tuple[Scope, tuple[str, str]]] = {}
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
     def sorted(self, lines: list[Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
-        for line in plain:
-            line.fragment = without_arguments(line.fragment, self.scope)
-        self._use_other_names(plain)
-        self.texts = [spelled_out(line.fragment.text) for line in plain]
-        self._without_time(plain)
-        self._write_rates(plain)
-        self._use_printed_names(plain)
-        self.moving = {m[k] for line in plain for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
-        self.moving &= {*self.reference.parameters}
-        self._leave_prose_out(plain)
-        for kinematic in (True, False, False, False):
-            before = len(self.defined)
-            for line in plain:
-                line.definition = line.definition or self._defines(line, kinematic)
-            if kinematic:
-                continue
-            if len(self.defined) == before:
-                for line in plain:
-                    line.definition = line.definition or self._defines_coordinate(line)
-            if len(self.defined) == before or all(line.definition for line in plain):
-                break
+        self._use_plain_names(plain)
+        self._find_definitions(plain)
         for line in waiting:
-            if line.whole:
-                line.reading = Reading(line.text)
-            elif not line.definition and line.reading is None:
-                if not self.values_are_asides:
-                    line.fragment = as_virtual(line.fragment, self.scope)
-                    if is_rate_along(line.fragment, self.scope):
-                        self._note(line, f"`{line.text}` is a derivative along the constraints, and is not judged")
-                        continue
-                try:
-                    written = line.fragment
-                    line.fragment = with_value_in_si(written, self.reference)
-                    line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
-                    if line.fragment is not written:  # `T = 2 N` may also be twice the reaction N
-                        product = read_as_written(written, self.scope, line.text, self.rounded)
-                        line.reading = replace(line.reading, other=None if product.error else product)
-                except ProblemError as error:
-                    line.reading = Reading(line.text, error=error)
+            if not line.definition:
+                self._read(line)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
         waiting = [line for line in waiting if line.reading and not line.definition]
-        quotes = [line for line in waiting if quotes_the_method(line.reading, line.text, self.scope)]
-        for line in quotes:
-            self._note(line, f"`{line.text}` quotes the method, and is not judged")
-        laws = [line for line in waiting if self._is_general_law(line)]
-        for line in laws:
-            self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
-        integrals = [x for x in waiting if x.reading and x.reading.error and is_integral(x.text)]
-        for line in integrals:
-            self._note(line, f"`{line.text}` is an integral, and is not judged")
-        quotes += laws + integrals
-        quotes += self._about_special_cases([line for line in waiting if not any(line is q for q in quotes)])
-        conditions = [line for line in waiting if is_condition(getattr(line.fragment, "beside", ""))]
-        if len(conditions) < len(waiting):
-            for line in conditions:
-                self._note(line, f"`{line.text}` is taken as a condition, and is not judged")
-            quotes += conditions
-        waiting = [line for line in waiting if not any(line is quote for quote in quotes)]
+        quotes = self._not_judged(waiting)
+        waiting = _without(waiting, quotes)
         for line in waiting:
             self._note_number(line)
         judged = [line for line in waiting if line.reading and not line.reading.error]
@@ -252,15 +202,72 @@ class _Sorting:
         return Working(
             tuple(given[id(line)] for line in judged),
             frozenset(n for n, line in enumerate(judged) if _is_approximation(line)),
-            tuple(
-                f for line in waiting if isinstance(f := given[id(line)], GivenEquation) and f.reading.error is not None
-            ),
+            tuple(f for f in given.values() if isinstance(f, GivenEquation) and f.reading.error is not None),
             tuple(given.values()),
             tuple(self.notes),
             tuple(self.unknowns),
             {n: self.scope.scalars[n] for n in self.defined if n in self.scope.scalars},
             len(quotes) > 0,
         )
+
+    def _use_plain_names(self, lines: list[Line]) -> None:
+        for line in lines:
+            line.fragment = without_arguments(line.fragment, self.scope)
+        self._use_other_names(lines)
+        self.texts = [spelled_out(line.fragment.text) for line in lines]
+        self._without_time(lines)
+        self._write_rates(lines)
+        self._use_printed_names(lines)
+        self.moving = {m[k] for line in lines for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
+        self.moving &= {*self.reference.parameters}
+        self._leave_prose_out(lines)
+
+    def _find_definitions(self, lines: list[Line]) -> None:
+        """Those of kinematics first; what one line defines may stand in the definition of another."""
+        for kinematic in (True, False, False, False):
+            before = len(self.defined)
+            for line in lines:
+                line.definition = line.definition or self._defines(line, kinematic)
+            if kinematic:
+                continue
+            if len(self.defined) == before:
+                for line in lines:
+                    line.definition = line.definition or self._defines_coordinate(line)
+            if len(self.defined) == before or all(line.definition for line in lines):
+                break
+
+    def _read(self, line: Line) -> None:
+        if line.whole:
+            line.reading = Reading(line.text)
+        if line.reading is not None:
+            return
+        if not self.values_are_asides:
+            line.fragment = as_virtual(line.fragment, self.scope)
+            if is_rate_along(line.fragment, self.scope):
+                self._note(line, f"`{line.text}` is a derivative along the constraints, and is not judged")
+                return
+        try:
+            written = line.fragment
+            line.fragment = with_value_in_si(written, self.reference)
+            line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
+            if line.fragment is not written:  # `T = 2 N` may also be twice the reaction N
+                product = read_as_written(written, self.scope, line.text, self.rounded)
+                line.reading = replace(line.reading, other=None if product.error else product)
+        except ProblemError as error:
+            line.reading = Reading(line.text, error=error)
+
+    def _not_judged(self, lines: list[Line]) -> list[Line]:
+        """The method quoted, general laws, integrals, special cases, and conditions beside equations."""
+        quoted = [x for x in lines if quotes_the_method(x.reading, x.text, self.scope)]
+        quotes = self._noted(quoted, "quotes the method")
+        quotes += self._noted([x for x in lines if self._is_general_law(x)], "is taken as a general law")
+        integrals = [x for x in lines if x.reading and x.reading.error and is_integral(x.text)]
+        quotes += self._noted(integrals, "is an integral")
+        quotes += self._about_special_cases(_without(lines, quotes))
+        conditions = [x for x in lines if is_condition(getattr(x.fragment, "beside", ""))]
+        if len(conditions) < len(lines):
+            quotes += self._noted(conditions, "is taken as a condition")
+        return quotes
 
     def _use_other_names(self, lines: list[Line]) -> None:
         """Take th for theta, a_x for x'', r_1 for the position of the first particle."""
@@ -332,16 +339,13 @@ class _Sorting:
             if may_be_force(name, value, texts, self.reference):
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
                 self.declared |= {name}
-                message = f"`{name}` is taken as `{symbol.name}`"
-                span = line.fragment.span(0, len(line.fragment.text))
-                self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
+                self._note(line, f"`{name}` is taken as `{symbol.name}`", code="read-as")
 
     def _is_general_law(self, line: Line) -> bool:
         """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
         if len(set(undeclared(line.reading, line.text))) < 2 or len(line.text) > LONGEST_LAW:
             return False
-        names = {n.strip("_") for n in _WORDS.findall(line.text)}
-        names |= {GREEK[c] for c in line.text if c in GREEK}
+        names = {n.strip("_") for n in _WORDS.findall(line.text)} | {GREEK[c] for c in line.text if c in GREEK}
         return names.isdisjoint(self.reference.coordinates)
 
     def _about_special_cases(self, lines: list[Line]) -> list[Line]:
@@ -356,15 +360,18 @@ class _Sorting:
             self._note(lines[n], f"`{lines[n].text}` {what} a special case, and is not judged")
         return [lines[n] for n in cases | special]
 
-    def _note(self, line: Line, message: str, help_: str = "") -> None:
+    def _note(self, line: Line, message: str, code: str = "not-judged") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
-        self.notes.append(Diagnostic("not-judged", message, span, help=help_, level=Severity.NOTE))
+        self.notes.append(Diagnostic(code, message, span, level=Severity.NOTE))
+
+    def _noted(self, lines: list[Line], what: str) -> list[Line]:
+        for line in lines:
+            self._note(line, f"`{line.text}` {what}, and is not judged")
+        return lines
 
     def _note_number(self, line: Line) -> None:
         if line.number:
-            span = line.fragment.span(0, len(line.fragment.text))
-            message = f"`{line.number}` after the equation numbers it, and is no factor"
-            self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
+            self._note(line, f"`{line.number}` after the equation numbers it, and is no factor", code="read-as")
 
     # -- asides ----------------------------------------------------------------------------------------------
 
@@ -383,12 +390,8 @@ class _Sorting:
                 self._note(line, f"`{line.text}` states a time, and is not judged")
                 return True
             name = self._name_alone(side)[0]
-            match = NUMBER.match(other.text.strip())
-            if (
-                name in self.reference.parameters
-                and match
-                and is_unit(match["unit"], self.declared, self.values_are_asides)
-            ):
+            match = NUMBER.match(other.text.strip()) if name in self.reference.parameters else None
+            if match and is_unit(match["unit"], self.declared, self.values_are_asides):
                 self._note_value(line, name, match)
                 return True
         return False
@@ -525,9 +528,7 @@ class _Sorting:
         if symbol is None or not (index in AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
             return False
         self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
-        message = f"`{name}` is taken as the value of `{coordinate}` at equilibrium"
-        span = line.fragment.span(0, len(line.fragment.text))
-        self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
+        self._note(line, f"`{name}` is taken as the value of `{coordinate}` at equilibrium", code="read-as")
         return True
 
     def _numbers_an_alternative(self, name: str, coordinate: str, index: str) -> bool:
@@ -541,11 +542,8 @@ class _Sorting:
         for line in lines:
             for name in undeclared(line.reading, line.text):
                 occurring.setdefault(name, []).append(line)
-        names = [
-            n
-            for n, where in occurring.items()
-            if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and is_name(n)
-        ]
+        several = (n for n, where in occurring.items() if len(where) > 1)
+        names = [n for n in several if n not in (*RESERVED, *DIFFERENTIALS) and is_name(n)]
         if not names or len(names) > 6:
             return
         symbols = {n: sp.Symbol(n, real=True) for n in names}
@@ -588,11 +586,13 @@ def _sides(fragment: Fragment) -> tuple[Fragment, Fragment] | None:
 
 
 def _given(line: Line) -> Fragment:
-    return (
-        line.fragment
-        if line.whole or line.reading is None
-        else GivenEquation.of_reading_at(line.reading, line.fragment)
-    )
+    if line.whole or line.reading is None:
+        return line.fragment
+    return GivenEquation.of_reading_at(line.reading, line.fragment)
+
+
+def _without(lines: Sequence[Line], others: Sequence[Line]) -> list[Line]:
+    return [line for line in lines if not any(line is other for other in others)]
 
 
 def _is_approximation(line: Line) -> bool:

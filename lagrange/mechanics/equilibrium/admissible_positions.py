@@ -95,14 +95,6 @@ def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr,
     return (sp.sin(q - limits.low), sp.sin(limits.high - q)), False
 
 
-def only_angle(wave: sp.Expr, value: sp.Expr, limits: Range) -> sp.Expr | None:
-    """The unique θ in a range with cos θ, sin θ or tan θ = value, as numbers; None if there is not exactly one."""
-    if not (limits.low.is_number and limits.high.is_number):
-        return None
-    inside = angles_with(wave, value, limits)
-    return inside[0] if len(inside) == 1 else None
-
-
 def angles_with(wave: sp.Expr, value: sp.Expr, limits: Range) -> list[sp.Expr]:
     """All θ in a range of numbers with cos θ, sin θ or tan θ = value; none if that is no number."""
     inverse, period = {sp.cos: (sp.acos, 2 * sp.pi), sp.sin: (sp.asin, 2 * sp.pi), sp.tan: (sp.atan, sp.pi)}[wave.func]

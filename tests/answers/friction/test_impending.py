@@ -105,3 +105,35 @@ def test_an_unknown_angle_of_contact(problem: Read, stated: str, verdict: str) -
     assert answer.verdict.value == verdict
     [condition] = solution.own.at_rest.cases[0]
     assert str(condition.left) == "log(Q/P)/mu"
+
+
+WEDGE = """
+title: A block raised by a wedge
+parameters: {W: positive, alpha: acute, phi_s: acute, P: positive}
+coordinates: [x, y, u, v]
+particles: {wedge: {position: x*i + y*j}, block: {position: u*i + v*j}}
+constraints:
+  floor: {equation: y >= 0, reaction: N_1}
+  slope: {equation: "(v - y)*cos(alpha) + (u - x)*sin(alpha) >= 0", reaction: N_2}
+  wall: {equation: u <= 0, reaction: N_3}
+forces:
+  weight: {on: block, vector: -W*j}
+  push: {on: wedge, vector: P*i}
+  rub_1: {friction: tan(phi_s), static: tan(phi_s), constraint: floor, on: wedge, slip: i}
+  rub_2: {friction: tan(phi_s), static: tan(phi_s), constraint: slope, on: block, slip: "-cos(alpha)*i + sin(alpha)*j"}
+find: impending
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("P = W*(tan(phi_s) + tan(alpha + phi_s))", "equivalent"),
+        ("P*cos(phi_s)*cos(alpha + phi_s) = W*sin(alpha + 2*phi_s)", "equivalent"),
+        ("P = W*(tan(phi_s) + tan(alpha))", "wrong"),
+        ("P = W*tan(alpha + phi_s)", "wrong"),
+    ],
+)
+def test_a_load_that_is_given_where_a_divisor_must_not_vanish(problem: Read, stated: str, verdict: str) -> None:
+    [answer] = compared_answers(solved(problem, f'{WEDGE}answers: {{equilibrium: ["{stated}"]}}\n'))
+    assert answer.verdict.value == verdict

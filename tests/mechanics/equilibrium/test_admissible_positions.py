@@ -22,8 +22,8 @@ from lagrange.explain.rest.equilibrium import explain_virtual_work
 from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.kinematics import file_configuration
 from lagrange.mechanics.equilibrium.admissible_positions import (
+    angles_with,
     beside_zero,
-    only_angle,
     place_as_drawn,
     slope,
     tangent_coefficients,
@@ -422,25 +422,26 @@ def test_other_equations_are_left_as_they_are(e: sp.Expr) -> None:
 
 
 @pytest.mark.parametrize(
-    ("wave", "value", "low", "high", "angle"),
+    ("wave", "value", "low", "high", "angles"),
     [
-        (sp.cos, "1/2", "0", "pi", "pi/3"),
-        (sp.cos, "1/2", "-pi/2", "pi/2", None),
-        (sp.cos, "1/2", "3*pi/2", "2*pi", "5*pi/3"),
-        (sp.cos, "-1", "0", "pi", "pi"),
-        (sp.sin, "1/2", "0", "pi/2", "pi/6"),
-        (sp.sin, "1/2", "0", "pi", None),
-        (sp.sin, "1", "0", "pi", "pi/2"),
-        (sp.tan, "-1", "0", "pi", "3*pi/4"),
-        (sp.tan, "1", "0", "2*pi", None),
-        (sp.sin, "3/2", "0", "pi", None),
-        (sp.cos, "x", "0", "pi", None),
+        (sp.cos, "1/2", "0", "pi", {"pi/3"}),
+        (sp.cos, "1/2", "-pi/2", "pi/2", {"pi/3", "-pi/3"}),
+        (sp.cos, "1/2", "3*pi/2", "2*pi", {"5*pi/3"}),
+        (sp.cos, "-1", "0", "pi", {"pi"}),
+        (sp.sin, "1/2", "0", "pi/2", {"pi/6"}),
+        (sp.sin, "1/2", "0", "pi", {"pi/6", "5*pi/6"}),
+        (sp.sin, "1", "0", "pi", {"pi/2"}),
+        (sp.tan, "-1", "0", "pi", {"3*pi/4"}),
+        (sp.tan, "1", "0", "2*pi", {"pi/4", "5*pi/4"}),
+        (sp.sin, "3/2", "0", "pi", set()),
+        (sp.cos, "x", "0", "pi", set()),
     ],
 )
-def test_the_only_angle_in_a_range(wave: type[sp.Function], value: str, low: str, high: str, angle: str | None) -> None:
+def test_all_angles_in_a_range(wave: type[sp.Function], value: str, low: str, high: str, angles: set[str]) -> None:
     of = sp.sympify
-    found = only_angle(wave(sp.Symbol("q")), of(value), Range(of(low), of(high)))
-    assert found == (None if angle is None else of(angle))
+    found = angles_with(wave(sp.Symbol("q")), of(value), Range(of(low), of(high)))
+    assert len(found) == len(angles)
+    assert {*found} == {*map(of, angles)}
 
 
 def test_places_are_told_in_degrees_one_or_two_as_the_range_admits() -> None:

@@ -7,7 +7,13 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.written.notation.documents import cells_of_row, is_list_of_dashes, macros_of, with_macros
+from lagrange.answers.written.notation.documents import (
+    cells_of_row,
+    in_plain_text,
+    is_list_of_dashes,
+    macros_of,
+    with_macros,
+)
 from lagrange.core.diagnostics import Fragment
 
 
@@ -33,3 +39,22 @@ def test_rows_of_tables_and_lists_of_dashes() -> None:
 )
 def test_macros_are_written_out_once(written: str, body: str, read: str) -> None:
     assert with_macros(Fragment.of(body), macros_of(written)).text == read
+
+
+# Pasted texts
+
+
+@pytest.mark.parametrize(
+    ("written", "plain"),
+    [
+        ("<p>&theta;'' = &minus;g/l</p>", "\nθ'' = −g/l\n"),
+        ("S = <sup>1</sup>&frasl;<sub>4</sub> mg", "S = (1/4) mg"),
+        ("* centre: `x' = v`", "* centre:  x' = v "),
+        ("**Rolling begins** here", "  Rolling begins   here"),
+        ("x**2 + y**2 = a", "x**2 + y**2 = a"),
+        ("theta` = omega, phi` = 0", "theta` = omega, phi` = 0"),
+        ("a < b, c > d", "a < b, c > d"),
+    ],
+)
+def test_marks_of_documents_are_left_out(written: str, plain: str) -> None:
+    assert in_plain_text(written) == plain

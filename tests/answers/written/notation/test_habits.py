@@ -31,6 +31,16 @@ from lagrange.answers.written.notation.habits import in_usual_signs
         ("The disc does not slip as long as mu >= b", "mu >= b"),
         ("x'' = a, slides if mu < b", "x'' = a, slides if mu < b"),  # the opposite is the condition of rest
         ("rolls if x' = R theta'", "rolls if x' = R theta'"),
+        ("N = W cos a (a = alpha)", "N = W cos a ;a = alpha;"),
+        ("T = m g (theta = pi)", "T = m g (theta = pi)"),
+        ("with tan(phi) = mu:  P <= W", "with tan(phi) = mu;  P <= W"),
+        ("I about the shaft = m R^2", "I = m R^2"),
+        ("v := t -> a*t", "v := a*t"),
+        ("Steady ($\\ddot x = \\dot x = 0$): $y = a$", "Steady : $y = a$"),
+        ("x = 2 (y'' + 0)", "x = 2 (y'' + 0)"),
+        ("t½ = m/b", "t_½ = m/b"),
+        ("𝑥 = 𝜔 𝑡", "x = ω t"),
+        ("frequencies: a about q = 0; b about q = pi", "omega = a about q = 0; omega = b about q = pi"),
     ],
 )
 def test_habits(written: str, usual: str) -> None:
