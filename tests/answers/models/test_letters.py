@@ -14,7 +14,6 @@ from tests.support.shared import loaded, solved
 EQUILIBRIA = [
     ("ladder", "P = W*tan(phi)", "the weight of `G` acting at the end of its length"),
     ("ladder", "P = -W/2*tan(phi)", "for gravity that acts the other way"),
-    ("rod-over-peg", "b*sin(theta)^3 = c", "sin(theta) stands where cos(theta) belongs"),
     ("ladder", "P = W/2*tan(phi)^3", ""),
 ]
 REACTIONS = [
