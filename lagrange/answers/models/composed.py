@@ -21,6 +21,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.models.kinematics import is_accelerated_only, turning, turning_otherwise
 from lagrange.answers.models.kinetic import length_left_out
 from lagrange.answers.models.mechanics import Inertia, Mechanics, Variation, called
@@ -164,7 +165,7 @@ def _differ(own: _Columns, rest: _Columns) -> bool:
 
 
 def _dot(a: Components, b: Components) -> sp.Expr:
-    return sp.trigsimp(sp.expand(sp.Add(*(x * y for x, y in zip(a, b, strict=True)))))
+    return textbook_form(sp.Add(*(x * y for x, y in zip(a, b, strict=True))))
 
 
 def _three(parts: Iterator[sp.Expr]) -> Components:

@@ -13,7 +13,7 @@ reaction was found, and not in that of moments.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, product
 from typing import TYPE_CHECKING
@@ -28,9 +28,9 @@ from lagrange.core.vectors import Vector
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
-    from lagrange.answers.results.resting import Resting, Substitution
     from lagrange.mechanics.constraints.kinematics import Configuration
     from lagrange.mechanics.dynamics.newton import Newton
+    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 _SLIPS = (
     (-sp.Integer(2), "has the wrong sign"),
@@ -40,10 +40,16 @@ _SLIPS = (
 )
 
 
-def of_differential(rules: Sequence[Substitution], resting: Resting, problem: Problem) -> str:
-    """The term of a constraint whose derivative is wrong in the displacements that an answer implies, in a sentence."""
-    slots = resting.slots
-    for j, row in enumerate(resting.equilibrium.binding):
+def of_differential(
+    balanced: Callable[[Sequence[Sequence[sp.Expr]]], bool], equilibrium: Equilibrium, problem: Problem
+) -> str:
+    """The term of a constraint whose derivative is wrong in the displacements that an answer implies, in a sentence.
+
+    balanced  whether the forces balance at the stated places with these rows in place of the constraints' own
+    """
+    slots = equilibrium.configuration.slots
+    right = [row.coefficients for row in equilibrium.binding]
+    for j, row in enumerate(equilibrium.binding):
         constraint = next((c for c in problem.constraints if c.name == row.name), None)
         if constraint is None or constraint.kinematic:
             continue
@@ -57,8 +63,7 @@ def of_differential(rules: Sequence[Substitution], resting: Resting, problem: Pr
                     if slope == 0 or slope == own[k]:
                         continue
                     changed = [own[i] + factor * slope if i == k else a for i, a in enumerate(own)]
-                    rows = [*resting.rows[:j], changed, *resting.rows[j + 1 :]]
-                    if all(resting.balanced(resting.own, rule, rows) for rule in rules):
+                    if balanced([*right[:j], changed, *right[j + 1 :]]):
                         shown = written(-term if term.could_extract_minus_sign() else term, slots)
                         where = f"in the differential of the constraint `{row.name}`"
                         return f"{where}, the derivative of {shown} with respect to {q} {how}"
