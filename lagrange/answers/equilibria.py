@@ -314,7 +314,11 @@ class _Wrong:
         self.values = dict(reference.values)
         self.stated = [c for a in wrong for r in a for c in r.components]
         self.tried = WrongEquilibria(_components(wrong), e, self.values)
-        self.unspecified = any(x.atoms(Unspecified) for x in (*e.work.forces, *self.stated))
+        used = {s for c in self.stated for s in c.free_symbols}
+        # Random places of rest tell nothing of undefined functions, nor of relations between parameters, W = c l.
+        self.beyond_random = used.isdisjoint(e.configuration.slots.coordinates) or any(
+            x.atoms(Unspecified) for x in (*e.work.forces, *self.stated)
+        )
         self.at_random = AtRandom(_components(wrong), e)
 
     def reasons(self) -> Iterator[str]:
@@ -362,7 +366,7 @@ class _Wrong:
 
     def _holds(self, variation: Variation) -> bool:
         """Whether they are the equilibria of the problem that is changed so."""
-        if not (self.tried.tried and self.unspecified) and not self.at_random.may_hold(variation):
+        if not (self.tried.tried and self.beyond_random) and not self.at_random.may_hold(variation):
             return False
         if self.tried.tried:
             return self.tried.holds(variation)

@@ -73,25 +73,32 @@ def _alone(force: sp.Symbol, full: ReferenceCandidate) -> Iterator[tuple[sp.Expr
         there = set().union(*(e.free_symbols for e in left))
         forgotten = [m for m in full.multipliers if m != force and m in there]
         still = [a for a in slots.accelerations if a not in accelerations and a in there]
-        value = _solved(left, [*accelerations, force], [*forgotten, *still])
-        if value is not None and (forgotten or still):
-            yield value, _said(name, forgotten, still, full, used)
+        values = _solved(left, [*accelerations, force], [*forgotten, *still])
+        if values is None or not (forgotten or still):
+            continue
+        if any(v != 0 for v in values[:-1]):  # otherwise the body is said to be at rest, which is simpler
+            yield values[-1], _said(name, forgotten, still, full, used)
 
 
 def _solved(
     equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], left_out: Sequence[sp.Symbol]
-) -> sp.Expr | None:
-    """The last unknown, of linear equations in which some symbols are zero; None if they do not determine it."""
+) -> list[sp.Expr] | None:
+    """The unknowns of linear equations in which some symbols are zero; None if they are not determined."""
     reduced = [e.xreplace(dict.fromkeys(left_out, sp.S.Zero)) for e in equations]
     matrix = sp.Matrix([[e.diff(u) for u in unknowns] for e in reduced])
     if not matrix.free_symbols.isdisjoint(unknowns):
         return None
-    rest = sp.Matrix([e.xreplace(dict.fromkeys(unknowns, sp.S.Zero)) for e in reduced])
+    rest = sp.Matrix([-e.xreplace(dict.fromkeys(unknowns, sp.S.Zero)) for e in reduced])
     whole = matrix.det(method="berkowitz")
     if is_zero(whole) is not False:
         return None
-    matrix[:, -1] = -rest
-    return matrix.det(method="berkowitz") / whole
+    return [_with_column(matrix, k, rest).det(method="berkowitz") / whole for k in range(len(unknowns))]
+
+
+def _with_column(matrix: sp.Matrix, k: int, column: sp.Matrix) -> sp.Matrix:
+    changed = matrix.copy()
+    changed[:, k] = column
+    return changed
 
 
 def _said(

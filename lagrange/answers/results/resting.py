@@ -284,12 +284,14 @@ class WrongEquilibria:
         """The term of a constraint whose derivative is wrong, in a sentence; empty if not found."""
         from lagrange.answers.results.virtual_work import of_differential
 
-        resting, rules = self.resting, [r for r in self.rules if r is not None]
+        resting = self.resting
+        if not self.tried:
+            return ""
 
         def balanced(rows: Sequence[Sequence[sp.Expr]]) -> bool:
-            return all(resting.balanced(resting.own, rule, rows) for rule in rules)
+            return all(rule is not None and resting.balanced(resting.own, rule, rows) for rule in self.rules)
 
-        return of_differential(balanced, resting.equilibrium, problem) if self.tried else ""
+        return of_differential(balanced, resting.equilibrium, problem)
 
     def of_one_force(self, problem: Problem) -> str:
         """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not

@@ -91,7 +91,7 @@ def test_frequencies_of_a_changed_problem(stated: tuple[str, ...], said: str) ->
 @pytest.mark.parametrize(
     ("problem", "stated", "said"),
     [
-        ("turning-parabola", "F = m*Omega*rho'", "it is half as large as it should be"),
+        ("turning-parabola", "F = m*Omega*rho'", "It is half as large as it should be"),
     ],
 )
 def test_a_reaction_half_as_large(problem: str, stated: str, said: str) -> None:

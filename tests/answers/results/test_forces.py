@@ -10,7 +10,7 @@ import sympy as sp
 
 from lagrange.answers.examiner import Examiner, reference
 from lagrange.answers.readings import read_answer
-from lagrange.answers.references import ReferenceCandidate, reference_of_solution
+from lagrange.answers.references import Reference, ReferenceCandidate, reference_of_solution
 from lagrange.answers.results.forces import explained_force, one_sense
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment, Source
@@ -18,36 +18,37 @@ from lagrange.problem.loader import read_problem
 from tests.support.shared import loaded, solved
 
 
-def pendulum() -> tuple[ReferenceCandidate, sp.Symbol, sp.Expr]:
-    """The candidate in the file's coordinates, λ, and its value."""
+def pendulum() -> tuple[Reference, ReferenceCandidate, sp.Symbol, sp.Expr]:
+    """The reference, the candidate in the file's coordinates, λ, and its value."""
     solution = solved("ex11-ideal-pendulum")
-    candidate = reference_of_solution(solution).candidates[0]
+    reference = reference_of_solution(solution)
+    candidate = reference.candidates[0]
     assert solution.own.dynamics is not None
     assert solution.own.dynamics.reactions is not None
     value = solution.own.dynamics.reactions.multipliers["rod"]
     [multiplier] = candidate.multipliers
     assert value is not None
-    return candidate, multiplier, value
+    return reference, candidate, multiplier, value
 
 
 @pytest.mark.parametrize(
     ("factor", "said"),
     [
-        (2, "this is the reaction for m twice as large"),
+        (2, "it is twice as large as it should be"),
         (3, "only a number is wrong in it: the force is 1/3 times as large"),
         (sp.Rational(7, 5), ""),  # no ratio that is a usual mistake
     ],
 )
 def test_a_multiple_of_the_force_is_named(factor: sp.Expr, said: str) -> None:
-    candidate, multiplier, value = pendulum()
-    assert explained_force(multiplier - factor * value, candidate) == said
+    reference, candidate, multiplier, value = pendulum()
+    assert explained_force(multiplier - factor * value, candidate, reference) == said
 
 
 def test_an_equation_of_motion_states_no_force() -> None:
-    candidate, multiplier, value = pendulum()
+    reference, candidate, multiplier, value = pendulum()
     acceleration = candidate.configuration.slots.accelerations[0]
-    assert explained_force(multiplier - 2 * value + acceleration, candidate) == ""
-    assert explained_force(value, candidate) == ""
+    assert explained_force(multiplier - 2 * value + acceleration, candidate, reference) == ""
+    assert explained_force(value, candidate, reference) == ""
 
 
 # One sense

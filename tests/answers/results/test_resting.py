@@ -44,7 +44,7 @@ WRONG_CONTRIBUTIONS: list[Row] = [
         "lorry-on-a-bridge",
         "equilibrium",
         ["P = B/2 + W*b/l", "Q = B/2 + W*(l - b)/l"],
-        "l*W*cos(theta) - b*W*cos(theta) in place of b*W*cos(theta) as the contribution of the force `lorry`",
+        "these are the equilibria with P and Q exchanged",
     ),
     ("lorry-on-a-bridge", "equilibrium", ["P = (B + W)/2", "Q = (B + W)/2"], "l*W*cos(theta)/2 in place of"),
     (
@@ -73,7 +73,12 @@ def test_contributions_of_one_force(problem: str, key: str, stated: object, said
 
 WRONG_ARMS: list[Row] = [
     # the connecting rod taken as level: dx = -r sin(theta) dtheta
-    ("slider-crank", "equilibrium", ["P*sin(theta) = Q"], "right for the displacements dx = -r*sin(theta)*dtheta"),
+    (
+        "slider-crank",
+        "equilibrium",
+        ["P*sin(theta) = Q"],
+        "the derivative of r^2*sin(theta)^2 with respect to theta is missing",
+    ),
     ("bifilar-suspension", "equilibrium", ["M = W*a^2*sin(theta)/(2*z)"], "the weight of `bar` half as large"),
     ("lazy-tongs", "equilibrium", ["P = 3*W*tan(theta)"], "sine and cosine exchanged in the lever arm of the force"),
     ("lazy-tongs", "equilibrium", ["P*tan(theta) = 6*W"], "or for the force `draw` acting at half the distance"),
