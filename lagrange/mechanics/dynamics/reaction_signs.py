@@ -13,16 +13,16 @@ The tension does the work −T Σ n_i δℓ_i = λ δf, so that
 particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r_B/∂q for every coordinate that turns neither. On a
 straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d, or from a pulley without
 mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight
-tells which, because a string that passes over a pulley holds it up. A constraint that is
-called a string, or is kept `by` one, may have terms of both signs, z − x = L. Where the coordinates do not show the
-ends, as in 2l sin θ = c or the distance of the end of a boom from a hook, the whole of what equals the length L is ℓ.
+tells which, because a string that passes over a pulley holds it up. A constraint that is called a string, or is kept
+`by` one, may have terms of both signs, z − x = L. Where the coordinates do not show the ends, as in 2l sin θ = c or the
+distance of the end of a boom from a hook, the whole of what equals the length L is ℓ.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
 
     R = N n ,      n = g/|g| ,      N = |g| λ .
 
-n points to where left minus right increases; for a one-sided constraint to the permitted side, so that n = −g/|g| if
-f ≤ 0 is permitted. |g| is written without the moduli of lengths and of single sines and cosines, as for ranges in which
+n points to where left minus right increases; for a one-sided constraint to the permitted side, so that n = −g/|g| if f
+≤ 0 is permitted. |g| is written without the moduli of lengths and of single sines and cosines, as for ranges in which
 these are positive.
 
 *Neither.* A moment, forces on several bodies, or coordinates that do not place the bodies: the name is the multiplier.
@@ -302,14 +302,11 @@ def _tension(
     assert row.finite is not None
     coordinates = set(configuration.slots.coordinates)
     constant, terms = _separated(row.finite, coordinates)
-    roots = [
-        t for t in terms if isinstance(t[1], sp.Abs) or (isinstance(t[1], sp.Pow) and t[1].exp == sp.Rational(1, 2))
-    ]
+    roots = [x for x in terms if isinstance(x[1], sp.Abs) or (isinstance(x[1], sp.Pow) and x[1].exp == sp.S.Half)]
     is_sum = by is Keeper.STRING and all(e in coordinates for _, e in terms)
-    if not roots and placed is not None and acts is not None and acts.moments and not is_sum:
-        squared = _of_square(row, placed, configuration)
-        if squared is not None:
-            return squared
+    turns = acts is not None and acts.moments and not is_sum
+    if not roots and placed is not None and turns and (squared := _of_square(row, placed, configuration)) is not None:
+        return squared
     lengths = [_length(k, e, placed, configuration) for k, e in terms]
     if len(terms) > 1 and all(e in coordinates for _, e in terms) and _move_apart([e for _, e in terms], configuration):
         lengths = [
@@ -318,12 +315,12 @@ def _tension(
         ]
     is_cord = by in (Keeper.STRING, Keeper.ROD) or is_called_string(row.name)
     if whole and None in lengths and (is_cord or len(terms) == len(roots) == 1):
-        return _of_whole_length(constant if written is None else written)
+        content = abs(sp.expand(row.finite).primitive()[0])  # 3 of 3 norm(d)^2 = 3 l^2
+        return _of_whole_length(constant if written is None else written, content)
     if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
         return None
     known = [x for x in lengths if x is not None]
-    bar = _between_two(constant, terms, configuration)
-    if bar is not None:
+    if (bar := _between_two(constant, terms, configuration)) is not None:
         return bar
     ends = [x for x, (_, e) in zip(known, terms, strict=True) if x.on or not _moves_nothing(e, configuration)]
     seen = _is_seen(constant, ends) and (len(ends) == len(known) or (ends and constant != 0))
@@ -332,16 +329,17 @@ def _tension(
     return _pulling(constant, known)
 
 
-def _of_whole_length(constant: sp.Expr) -> SingleForce | None:
-    """The tension of f = ±(ℓ − L), T = ∓λ, or f = ±(ℓ² − L²), T = ∓2 L λ, by the constant −L or −L² of f.
+def _of_whole_length(constant: sp.Expr, content: sp.Expr) -> SingleForce | None:
+    """The tension of f = ±(ℓ − L), T = ∓λ, or f = ±k (ℓ² − L²), T = ∓2 k L λ, by the constant −L or −k L².
 
-    For coordinates that do not place its ends: 2l sin θ = c of a cord between the feet of two rods.
+    For coordinates that do not place its ends: 2l sin θ = c of a cord between the feet of two rods. k is a number.
     """
     if constant.is_number or not (constant.is_positive or constant.is_negative):
         return None
     size, sign = abs(constant), 1 if constant.is_positive else -1
     squared = all(e.is_even for f in sp.Mul.make_args(size) if not f.is_number for e in [f.as_base_exp()[1]])
-    return SingleForce(ForceKind.TENSION, sign * (2 * sp.sqrt(size) if squared else 1) * sp.S.One)
+    times = content if (size / content).as_coeff_Mul()[0] == 1 else sp.S.One
+    return SingleForce(ForceKind.TENSION, sign * (2 * sp.sqrt(size * times) if squared else 1) * sp.S.One)
 
 
 def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:
@@ -349,9 +347,7 @@ def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:
     if e not in configuration.slots.coordinates:
         return False
     column = configuration.slots.coordinates.index(e)
-    moved = (p.partials[column] for p in configuration.points)
-    turned = (r.partials[column] for r in configuration.rotations)
-    return all(partial.is_zero for partial in (*moved, *turned))
+    return not _moved_by(e, configuration) and all(r.partials[column].is_zero for r in configuration.rotations)
 
 
 def _between_two(
@@ -366,11 +362,10 @@ def _between_two(
         return None
     ends = []
     for q in (first, second):
-        column = configuration.slots.coordinates.index(q)
-        moved = [(p.name, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
+        moved = _moved_by(q, configuration)
         if len(moved) != 1:
             return None
-        ends += moved
+        ends += [(p.name, way) for p, way in moved]
     (one, unit), (two, same) = ends
     if one == two or not (unit - same).map(textbook_form).is_zero:
         return None
@@ -489,20 +484,29 @@ def _number_of_times(share: sp.Expr, square: sp.Expr, configuration: Configurati
 
 
 def _coordinate(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> Length:
-    """A coordinate as a length: r of polar coordinates is the distance from O; on a straight line it may be one."""
-    column = configuration.slots.coordinates.index(q)
-    for p in configuration.points:
-        moved = p.partials[column].fixed()
-        if moved.is_zero or textbook_form(moved.dot(moved)) != 1:
+    """A coordinate as a length: r of polar coordinates is the distance from O; on a straight line it may be one.
+
+    If another point is at −q on the same line, as much pulls there: 2q is between the two.
+    """
+    moving, coordinates = _moved_by(q, configuration), configuration.slots.coordinates
+    for p, moved in moving:
+        place = p.position.fixed()
+        origin = place - moved * q
+        if textbook_form(moved.dot(moved)) != 1 or any(
+            not origin.partial(s).map(textbook_form).is_zero for s in coordinates
+        ):
             continue
-        coordinates = configuration.slots.coordinates
-        origin = p.position.fixed() - moved * q
-        if any(not origin.partial(s).map(textbook_form).is_zero for s in coordinates):
-            continue
-        if any(not moved.partial(s).map(textbook_form).is_zero for s in coordinates):
-            return Length(share, -1, True, p.name, moved)
-        return Length(share, _held_up(p, moved, configuration), True, p.name, moved)
+        if any((place + o.position.fixed()).map(textbook_form).is_zero for o, _ in moving) and origin.is_zero:
+            share = share / 2
+        turns = any(not moved.partial(s).map(textbook_form).is_zero for s in coordinates)
+        return Length(share, -1 if turns else _held_up(p, moved, configuration), True, p.name, moved)
     return Length(share, None, shown=False)
+
+
+def _moved_by(q: sp.Symbol, configuration: Configuration) -> list[tuple[MassPoint, Vector]]:
+    """The points that move with a coordinate, each with ∂r/∂q."""
+    column = configuration.slots.coordinates.index(q)
+    return [(p, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
 
 
 def _move_apart(moving: Sequence[sp.Symbol], configuration: Configuration) -> bool:
@@ -513,18 +517,14 @@ def _move_apart(moving: Sequence[sp.Symbol], configuration: Configuration) -> bo
 
 def _carried(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> Length:
     """A coordinate along a line that is counted from what moves, or moves several points: a weight below a pulley."""
-    column = configuration.slots.coordinates.index(q)
-    moved = [(p, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
-    if not moved:
-        return Length(share, None, shown=False)
-    along = moved[0][1]
+    moved = _moved_by(q, configuration)
+    along = moved[0][1] if moved else Vector.zero()
     alike = all((u - along).map(textbook_form).is_zero for _, u in moved)
     steady = all(along.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
     if not alike or not steady or textbook_form(along.dot(along)) != 1:
         return Length(share, None, shown=False)
     toward = next((h for p, _ in moved if (h := _held_up(p, along, configuration)) is not None), None)
-    single = moved[0][1] if len(moved) == 1 else None
-    return Length(share, toward, True, moved[0][0].name, single)
+    return Length(share, toward, True, moved[0][0].name, along if len(moved) == 1 else None)
 
 
 def _held_up(point: MassPoint, along: Vector, configuration: Configuration) -> int | None:

@@ -634,3 +634,24 @@ def test_tension_of_a_link_between_a_slider_and_a_crank(problem: Read, equation:
     assert configuration.states.is_zero(
         reaction.row.coefficients[1] - reaction.single.factor * -(x - r * sp.cos(phi)) / l
     )
+
+
+SYMMETRIC = """
+title: Two charges on a rail, kept apart by a string between them
+coordinates: [x]
+parameters: [m, r, K]
+particles: {A: {mass: m, position: x*i}, B: {mass: m, position: -x*i}}
+constraints: {string: {equation: EQUATION, reaction: T, by: string}}
+forces: {repulsion: {potential: K/(2*x)}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize("equation", ["2*x <= 2*r", "x = r", "3*r = 3*x"])
+def test_a_string_between_two_particles_that_share_a_coordinate(problem: Read, equation: str) -> None:
+    """Each pulls with K/(2r)²: λ ∂f/∂x = −2T."""
+    read = problem(SYMMETRIC.replace("EQUATION", equation))
+    configuration = kinematics(read)
+    [reaction] = newton_of(read, configuration, read.constraints).reactions
+    assert reaction.single is not None
+    assert configuration.states.is_zero(reaction.row.coefficients[0] + 2 * reaction.single.factor)
