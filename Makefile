@@ -1,4 +1,4 @@
-# Two targets are enough: `make demo` and `make test`; both make .venv first. `make test-all` is what .ci/run calls.
+# Two targets are enough: `make demo` and `make test`; both make .venv first. `make test-half` is what .ci/run calls.
 VENV := .venv
 BIN := $(VENV)/bin
 NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
@@ -10,7 +10,7 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 p
 # Where it is set, every child process of the tests would compile all modules again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-all part-of-tests all-tests lint sweep bench golden picture figures gallery site lock man clean
+.PHONY: demo test test-half test-all part-of-tests half-of-tests all-tests lint sweep bench golden picture figures gallery site lock man clean
 
 $(VENV)/made: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -55,12 +55,19 @@ BESIDE = @$(MAKE) --no-print-directory --jobs=2 lint
 test: $(VENV)/installed
 	$(BESIDE) part-of-tests
 
+# Half of the slow tests and of the shipped problems, in every format: PART=0 or 1. What .ci/run calls.
+test-half: $(VENV)/installed
+	$(BESIDE) half-of-tests
+
 # All tests.
 test-all: $(VENV)/installed
 	$(BESIDE) all-tests
 
 part-of-tests: $(VENV)/installed
 	$(PYTEST) --part $(PART)
+
+half-of-tests: $(VENV)/installed
+	$(PYTEST) --part $(PART) --parts 2
 
 all-tests: $(VENV)/installed
 	$(PYTEST)

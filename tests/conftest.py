@@ -52,10 +52,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--part",
         metavar="N",
-        help=f"of the tests marked `truth`, `process` or `slow`, run part N, modulo {PARTS}, only, or that of `today`; of "
+        help="of the tests marked `truth`, `process` or `slow`, run part N, modulo `--parts`, only, or that of `today`; of "
         f"those of every shipped problem part N modulo {QUARTERS}; "
-        f"Hypothesis tries at most {QUICK} examples",
+        f"Hypothesis tries at most {QUICK} examples, save in two parts",
     )
+    parser.addoption("--parts", metavar="N", type=int, default=PARTS, help=f"how many parts there are ({PARTS})")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -72,8 +73,12 @@ def pytest_configure(config: pytest.Config) -> None:
         said = str(date.today().toordinal())
     if not said.isdecimal():
         raise pytest.UsageError(f"--part is `today` or a number, not `{said}`")
-    config.option.part = str(int(said) % PARTS)  # so that processes that begin after midnight take the same
-    settings.load_profile("quick")
+    parts = config.getoption("--parts")
+    if parts < 2:
+        raise pytest.UsageError(f"--parts is at least 2, not {parts}")
+    config.option.part = str(int(said) % parts)  # so that processes that begin after midnight take the same
+    if parts > 2:
+        settings.load_profile("quick")
 
 
 @pytest.hookimpl(trylast=True)
@@ -118,15 +123,15 @@ def _timed(item: pytest.Item) -> Iterator[None]:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    part = terminalreporter.config.getoption("--part")
+    part, parts = (terminalreporter.config.getoption(f"--{name}") for name in ("part", "parts"))
     if part is not None:
         terminalreporter.line(
-            f"of the slow tests part {part} of 0 to {PARTS - 1} was run (--part {part} runs it again)"
+            f"of the slow tests part {part} of 0 to {parts - 1} was run (--part {part} --parts {parts} runs it again)"
         )
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    part, left_out = config.getoption("--part"), set()
+    part, number, left_out = config.getoption("--part"), config.getoption("--parts"), set()
     names = [_name(item) for item in items]
     always = representatives(names) if part is not None else set()
     many = tried_with_many(names) if part is not None else set()
@@ -134,7 +139,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         tier = tier_of(name)
         if tier is not None:
             item.add_marker(tier)
-        parts = 1 if name in always else PARTS if tier is not None else QUARTERS if name in many else 1
+        parts = 1 if name in always else number if tier is not None else min(QUARTERS, number) if name in many else 1
         if part is not None and part_of(name, parts) != int(part) % parts:
             left_out.add(item)
     if left_out:

@@ -43,7 +43,8 @@ NO_LIMITS = {
     "pictures/blocks": {"HIGH", "WIDE"},
     "pictures/coordinate_drawings": {"ARC"},
     "pictures/free_bodies": {"LARGEST", "LARGEST_WHEEL", "LENGTH"},
-    "pictures/inferred": {"CORNER", "GAP", "PULLEY"},
+    "pictures/bearings": {"_CORNERS", "_SLOT"},
+    "pictures/inferred": {"BEARING", "CORNER", "GAP", "LARGE_PULLEY", "PULLEY"},
     "pictures/loads": {"ARROW", "NOWHERE", "_SOMEWHERE"},
     "pictures/poses": {"_ANGLES", "_STEPS"},
     "pictures/sketch": {
