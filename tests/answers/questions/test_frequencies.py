@@ -129,7 +129,7 @@ particles: {P: {mass: m, position: r*cos(Omega*t)*i + r*sin(Omega*t)*j + (r^4/p^
 gravity: -g*k
 """  # ω² = −Ω² at r = 0, and 2 Ω²/(1 + p³ Ω⁶/(4 g³)) beside it
     assert verdict_on(turning, "[sqrt(2)*Omega]").diagnosis == (
-        "in omega^2, this is the answer in the limit of a very large g"
+        "in omega^2, this is the answer without p, as if p = 0"
     )
 
 

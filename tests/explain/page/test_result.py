@@ -162,7 +162,7 @@ gravity: -g*j
     assert "│  7 (R − r) φ̈ + 5g sin φ = 0" in box(told)
     assert "│  (R − r) φ̇ + r ψ̇ = 0" in box(told)
     page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
-    assert "Without ψ: by the constraints, ψ̈ = −[(R − r)/r] φ̈ leaves" in page
+    assert "Without ψ: by the constraints, ψ̈ = [(r − R)/r] φ̈ leaves" in page
     pulled = text.replace("gravity:", "forces: {spring: {potential: psi^2*m}}\ngravity:")
     assert "ψ̈" in box(report(problem(pulled), complete=False))  # ψ itself stays in the equation
 
