@@ -128,9 +128,7 @@ coordinates: [r]
 particles: {P: {mass: m, position: r*cos(Omega*t)*i + r*sin(Omega*t)*j + (r^4/p^3)*k}}
 gravity: -g*k
 """  # ω² = −Ω² at r = 0, and 2 Ω²/(1 + p³ Ω⁶/(4 g³)) beside it
-    assert verdict_on(turning, "[sqrt(2)*Omega]").diagnosis == (
-        "in omega^2, this is the answer without p, as if p = 0"
-    )
+    assert verdict_on(turning, "[sqrt(2)*Omega]").diagnosis == ("in omega^2, this is the answer without p, as if p = 0")
 
 
 def test_an_imaginary_frequency_cannot_be_stated() -> None:
