@@ -315,12 +315,13 @@ def _tension(
         ]
     is_cord = by in (Keeper.STRING, Keeper.ROD) or is_called_string(row.name)
     if whole and None in lengths and (is_cord or len(terms) == len(roots) == 1):
-        content = abs(sp.expand(row.finite).primitive()[0])  # 3 of 3 norm(d)^2 = 3 l^2
-        return _of_whole_length(constant if written is None else written, content)
-    if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
-        return None
+        content, q = abs(sp.expand(row.finite).primitive()[0]), terms[0][1].as_base_exp()[0]  # 3 of 3 norm(d)^2 = 3 l^2
+        part = _coordinate(sp.S.One, q, configuration).share if len(terms) == 1 and q in coordinates else sp.S.One
+        return _of_whole_length(constant if written is None else written, content, part)
     known = [x for x in lengths if x is not None]
-    if (bar := _between_two(constant, terms, configuration)) is not None:
+    if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or len(known) < len(lengths):
+        return None
+    if bar := _between_two(constant, terms, configuration):
         return bar
     ends = [x for x, (_, e) in zip(known, terms, strict=True) if x.on or not _moves_nothing(e, configuration)]
     seen = _is_seen(constant, ends) and (len(ends) == len(known) or (ends and constant != 0))
@@ -329,17 +330,16 @@ def _tension(
     return _pulling(constant, known)
 
 
-def _of_whole_length(constant: sp.Expr, content: sp.Expr) -> SingleForce | None:
+def _of_whole_length(constant: sp.Expr, content: sp.Expr, part: sp.Expr) -> SingleForce | None:
     """The tension of f = ±(ℓ − L), T = ∓λ, or f = ±k (ℓ² − L²), T = ∓2 k L λ, by the constant −L or −k L².
 
-    For coordinates that do not place its ends: 2l sin θ = c of a cord between the feet of two rods. k is a number.
-    """
-    if constant.is_number or not (constant.is_positive or constant.is_negative):
+    k is a number. For coordinates that do not place its ends: 2l sin θ = c of a cord between the feet of two rods."""
+    size, sign = abs(constant), 1 if constant.is_positive else -1 if constant.is_negative else 0
+    if constant.is_number or sign == 0:
         return None
-    size, sign = abs(constant), 1 if constant.is_positive else -1
     squared = all(e.is_even for f in sp.Mul.make_args(size) if not f.is_number for e in [f.as_base_exp()[1]])
     times = content if (size / content).as_coeff_Mul()[0] == 1 else sp.S.One
-    return SingleForce(ForceKind.TENSION, sign * (2 * sp.sqrt(size * times) if squared else 1) * sp.S.One)
+    return SingleForce(ForceKind.TENSION, sign * part * (2 * sp.sqrt(size * times) if squared else 1))
 
 
 def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:
