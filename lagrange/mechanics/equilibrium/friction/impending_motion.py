@@ -444,8 +444,8 @@ def _where_pressed(
 ) -> Equilibrium:
     """The equilibria with the conditions on the parameters under which every normal force presses.
 
-    The push P = W (sin α + μ cos α)/(cos α − μ sin α) up an incline needs N = W/(cos α − μ sin α) > 0: beyond that slope
-    no push slides the block, and the formula is that of a force which would pull it off.
+    The push P = W (sin α + μ cos α)/(cos α − μ sin α) up an incline needs N = W/(cos α − μ sin α) > 0: beyond that
+    slope no push slides the block, and the formula is that of a force which would pull it off.
     """
     kept: list[tuple[int, Branch]] = []
     for n, b in enumerate(resting.branches):
