@@ -89,7 +89,7 @@ def _keeper(scalar: Scalar) -> Keeper:
         return Keeper(scalar.text)
     near = nearest(scalar.text, [*Keeper])
     help_ = f"did you mean `{near}`?" if near else f"write {', '.join(f'`{k}`' for k in Keeper)}, or leave it out"
-    message = f"`{scalar.text}` is no known way of keeping a constraint"
+    message = f"`{scalar.text}` is not one of the things that can keep a constraint"
     raise ProblemError(Diagnostic("unknown-keeper", message, scalar.span, help=help_))
 
 

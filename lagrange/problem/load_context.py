@@ -380,7 +380,7 @@ class DeclaredNames:
         if len(read) != 1 or read[0].kind is not TokenKind.NAME:
             message, help_ = _misspelling(scalar.text, read, what)
         elif len(read[0].text) > MAX_NAME_LENGTH:
-            message = f"a name may have {MAX_NAME_LENGTH} characters, and this one has {len(read[0].text)}"
+            message = f"a name may have at most {MAX_NAME_LENGTH} characters; this one has {len(read[0].text)}"
             help_ = "put the explanation into `meaning`"
         else:
             return read[0].text

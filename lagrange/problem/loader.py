@@ -246,7 +246,7 @@ def _check_whole(problem: Problem, root: Section, diagnostics: Diagnostics) -> N
     note_inertia(problem, diagnostics.report)
     note_unused(problem, root.get("parameters"), diagnostics.report)
     if problem.equations and (problem.particles or problem.bodies):
-        message = "the equations are given outright, and there are masses to derive them from"
+        message = "the equations are given, but there are also masses to derive them from"
         help_ = "keep `equations` (to check answers against) or the particles and bodies (to derive them)"
         diagnostics.report(Diagnostic("two-systems", message, root.span_of("equations"), help=help_))
     if root.get("lagrangian") is not None and (problem.particles or problem.bodies or problem.gravity is not None):

@@ -429,7 +429,7 @@ def _exchange(mass: sp.Expr, section: Section, key: Scalar, context: LoadContext
     if not given:
         if rate == 0:
             return None
-        message = f"the mass of `{key.text}` varies, and nothing says with what velocity mass leaves or joins it"
+        message = f"the mass of `{key.text}` varies, but nothing says with what velocity mass leaves or joins it"
         raise ProblemError(Diagnostic("variable-mass", message, span, help=_LAW))
     if len(given) > 1:
         message, help_ = f"`{key.text}` both loses and gains mass", "keep the one of them that changes its mass"
@@ -552,7 +552,7 @@ def _report_circle(circle: list[_Entry], context: LoadContext) -> None:
     message = (
         f"{names[0]} is defined by itself"
         if len(names) == 1
-        else f"{', '.join(names[:-1])} and {names[-1]} are defined by one another"
+        else f"{', '.join(names[:-1])} and {names[-1]} are defined in terms of one another"
     )
     help_ = "write one of them without the others" if len(names) > 1 else "write it with other names"
     context.diagnostics.report(Diagnostic("circular-definition", message, ordered[0].key.span, help=help_))

@@ -294,7 +294,7 @@ def with_initial_before(problem: Problem) -> Problem:
     before = {v.symbol: v for v in impact.before}
     for v in problem.initial:
         if v.value != before.setdefault(v.symbol, v).value:
-            message = f"`{v.symbol}` has another value just before the impact, at t = 0"
+            message = f"`{v.symbol}` has different values at t = 0 and just before the impact"
             help_ = "the motion begins with the impact: give its state once, as `before` under `impact`"
             raise ProblemError(Diagnostic("two-starts", message, v.span, help=help_))
     return replace(problem, initial=(), impact=replace(impact, before=tuple(before.values())))

@@ -439,11 +439,11 @@ def stability_in_short(s: Stability) -> tuple[Part, ...]:
 
 
 def but_for_drift(drift: UniformMotion) -> tuple[Part, ...]:
-    """`stable but for a uniform motion of X`, `of x_1 and x_2 together`, `where k > m g`."""
+    """`stable apart from a uniform motion of X`, `of x_1 and x_2 together`, `where k > m g`."""
     together = " together" if len(drift.coordinates) > 1 and not drift.several else ""
     motion = "uniform motions of " if drift.several else "a uniform motion of "
     where = (" where ", *sign_conditions(drift.conditions)) if drift.conditions else ()
-    return (f"stable but for {motion}", *listed(math(q) for q in drift.coordinates), together, *where)
+    return (f"stable apart from {motion}", *listed(math(q) for q in drift.coordinates), together, *where)
 
 
 def why_it_drifts(drift: UniformMotion, V: Part) -> tuple[Part, ...]:
