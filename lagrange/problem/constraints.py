@@ -78,7 +78,7 @@ def _constraint(name: str, key: Scalar, node: Node, context: LoadContext) -> tup
 def _check_one_sided_keeper(name: str, by: Keeper, span: Span) -> None:
     """Refuse what keeps a constraint from both sides. Raises ProblemError."""
     if by not in (Keeper.STRING, Keeper.SURFACE):
-        message = f"a {by} acts in both senses, and `{name}` is one-sided"
+        message = f"a {by} acts in both senses, but `{name}` is one-sided"
         help_ = "write `by: string` or `by: surface`, or an equation with `=`"
         raise ProblemError(Diagnostic("one-sided", message, span, help=help_))
 

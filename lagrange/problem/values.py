@@ -364,7 +364,7 @@ def check_dimensions(problem: Problem) -> None:
             expected = "a number or an angle"
         message = f"the unit of `{p.symbol}` does not fit its place in the problem"
         given = unit_of(p.unit)
-        help_ = f"`{p.symbol}` has to be {expected} in SI units, and this is {si_unit(given) if given else p.unit}"
+        help_ = f"`{p.symbol}` has to be {expected} in SI units, but this is {si_unit(given) if given else p.unit}"
         help_ += _weight_for_mass(given, Unit(sp.S.One, needed[p.symbol]))
         raise ProblemError(Diagnostic("unit-mismatch", message, p.value_span, help=help_))
 
