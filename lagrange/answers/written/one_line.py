@@ -32,6 +32,7 @@ from dataclasses import dataclass, replace
 
 from lagrange.answers.limits import LONGEST_NUMBERING, MOST_LISTED, SHORTEST_WORD
 from lagrange.answers.readings import GivenEquation, Reading
+from lagrange.answers.written.expansions import ORDER
 from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices
 from lagrange.answers.written.notation.plain import cleaned, is_rate
@@ -58,6 +59,7 @@ _ORDER_TERM = re.compile(
     r"\((?:[^()=]|\([^()=]{0,20}\)){1,40}\)\s*\Z"
 )
 """What is left out in an expansion, `+ O(theta^3)`."""
+_NEGLECTED = re.compile(r"\((.*)\)\s*\Z")
 _INTEGRAL = re.compile(r"(?:∫|\\o?int(?![A-Za-z])(?:\\limits)?|(?<![A-Za-z])int(?:egral)?)\s*(?:[_^₀-₉⁰-⁹]|from\b)")
 """An integral with limits."""
 _ACCELERATION = re.compile(r"''|″|\u0308|¨|\\ddot|ddot|d\s*(?:\^\s*\{?2|²)|\\dot\s*\{?\s*\\dot")
@@ -126,7 +128,9 @@ def without_order_term(fragment: Fragment, declared: Collection[str]) -> Fragmen
     if "$" in draft.text:
         draft.replace(re.compile(r"\$"), " ")
     made = draft.finished(latex=latex)
-    about = getattr(fragment, "beside", "") + ("" if text.count("=") > 1 else " approximately")
+    neglected = _NEGLECTED.search(order[0])
+    marked = f" approximately, {ORDER.format(neglected[1])}" if neglected else " approximately"
+    about = getattr(fragment, "beside", "") + ("" if text.count("=") > 1 else marked)
     return replace(made, beside=about.strip()) if isinstance(made, OneEquation) else made
 
 
