@@ -302,6 +302,8 @@ def _sign_where(e: sp.Expr, conditions: tuple[SignCondition, ...]) -> int | None
 def _sign_of_angle(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
     """The sign of c acos(u) + a: acos lies between 0 and π, and falls with u."""
     [angle, *others] = e.atoms(sp.acos)
+    if others and (sign := _sign_beyond_half_turns(e)) is not None:
+        return sign
     if len(others) > 1:
         return None
     letter = sp.Dummy(real=True)
@@ -319,6 +321,18 @@ def _sign_of_angle(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | Non
         return -way if beyond else way if _sign(-against, conditions) in (0, 1) else None
     difference = sign_of_value(angle.args[0] - sp.cos(against), conditions)
     return None if difference is None else -way * difference
+
+
+def _sign_beyond_half_turns(e: sp.Expr) -> int | None:
+    """The sign of a + c_1 acos(u_1) + c_2 acos(u_2) with numbers a, c_1, c_2, where any angles in [0, π] have it."""
+    terms = [t.as_independent(sp.acos, as_Add=False) for t in sp.Add.make_args(sp.expand(e))]
+    if not all((c.is_number and isinstance(u, sp.acos)) or (c.is_number and u == 1) for c, u in terms):
+        return None
+    constant = sp.Add(*(c for c, u in terms if u == 1))
+    lowest, highest = (constant + sp.pi * sp.Add(*(f(c, 0) for c, u in terms if u != 1)) for f in (sp.Min, sp.Max))
+    if lowest.is_positive:
+        return 1
+    return -1 if highest.is_negative else None
 
 
 def _is_half_turn(angle: sp.Expr) -> bool:

@@ -27,7 +27,7 @@ from lagrange.core.diagnostics import ProblemError
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.questions import arrivals, numerical
+from lagrange.mechanics.questions import arrivals, numerical, ranges
 from lagrange.mechanics.questions.branches import InitialMotion, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
@@ -41,7 +41,6 @@ from lagrange.mechanics.questions.quadrature import (
     time_between,
     toward,
 )
-from lagrange.mechanics.questions.ranges import changes, in_ranges, mixed, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.reach import initial_motion, kept_senses, place_stated
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, completed, mentioned, reduced
@@ -54,7 +53,7 @@ from lagrange.mechanics.questions.states import (
     places_stated,
     without,
 )
-from lagrange.mechanics.questions.times import TimeRoot, in_order, keeps_sign, times
+from lagrange.mechanics.questions.times import TimeRoot, after_start, in_order, keeps_sign, times
 from lagrange.problem.model import Condition, Problem, Question
 
 
@@ -85,12 +84,12 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
         asked = _with_either_sense(question, setting)
         if asked.answered:
             if asked.excluded_by(setting.values, {t, *coordinates}):
-                raise ProblemError(never_holds(question))
-            asked = asked.within(setting.values, {t, *coordinates})
+                raise ProblemError(ranges.never_holds(question))
+            asked = ranges.in_bounds(asked.within(setting.values, {t, *coordinates}))
             return under(setting.known.starting, asked)
         tried.append(asked)
     if not tried:
-        raise ProblemError(mixed(question))
+        raise ProblemError(ranges.mixed(question))
     return tried[0]
 
 
@@ -170,10 +169,12 @@ class _Search:
         named = (self.question.quantity, *(c.function for c in self.question.when))
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"
-            raise ProblemError(slip_has_ended(self.question, what))
+            raise ProblemError(ranges.slip_has_ended(self.question, what))
         self.setting.refuse_rolling(self.question)
         if self._beginning_of_slip is None:
-            raise ProblemError(slip_has_ended(self.question, "asks for slip that does not begin: friction prevents it"))
+            raise ProblemError(
+                ranges.slip_has_ended(self.question, "asks for slip that does not begin: friction prevents it")
+            )
         if any(self.known.unknown(e) for e in named) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -189,7 +190,7 @@ class _Search:
                     break
                 elimination = self._eliminated(used)
                 if elimination.never:
-                    raise ProblemError(never_holds(self.question, outright=route is Route.STATE))
+                    raise ProblemError(ranges.never_holds(self.question, outright=route is Route.STATE))
                 if elimination.branches and elimination.solved and not elimination.free:
                     return self._chosen(route, elimination, used)
                 free = elimination.free
@@ -197,9 +198,9 @@ class _Search:
             if asked is not None:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:
-            raise ProblemError(changes(self.question))
+            raise ProblemError(ranges.changes(self.question))
         if free and self._not_given():
-            raise ProblemError(not_determined(self.question, free, self._not_given()))
+            raise ProblemError(ranges.not_determined(self.question, free, self._not_given()))
         return self._in_numbers() or self._asked(Route.INTEGRALS, free=free)
 
     def _lacks_accelerations(self) -> bool:
@@ -285,7 +286,7 @@ class _Search:
     def _chosen(self, route: Route, elimination: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
-        inside = (in_ranges(b, self.configuration, self.setting.values) for b in elimination.branches)
+        inside = (ranges.in_ranges(b, self.configuration, self.setting.values) for b in elimination.branches)
         elimination = replace(elimination, branches=tuple(b for b in inside if b is not None))
         parted = [self._with_stated_slip(b) for b in elimination.branches]
         lasting = [b for b in parted if b is not None]
@@ -301,7 +302,7 @@ class _Search:
             on_the_way = arrivals.Arrivals(self.setting, self._beginning, self.rule, *asked)
             branches = on_the_way.reached(branches) or on_the_way.at_the_start(lasting)
         if not branches:
-            raise ProblemError(never_holds(self.question))
+            raise ProblemError(ranges.never_holds(self.question))
         if self._is_at_start:
             begins = dict.fromkeys(self._beginning_of_slip or ())
             branches = [replace(b, conditions=tuple({**dict.fromkeys(b.conditions), **begins})) for b in branches]
@@ -372,7 +373,7 @@ class _Search:
         starts = after.known.accelerations[prime(v)].xreplace(dict(after.initial))
         way = sign_of_value(-sense * starts)
         if way in (0, -1):
-            raise ProblemError(never_holds(self.question))
+            raise ProblemError(ranges.never_holds(self.question))
         asked = _Search(self.question, after).answer()
         back = () if way == 1 else (more_than_zero(-sense * starts),)
         conditions = (*b.conditions, *back)
@@ -458,7 +459,7 @@ class _Search:
             ended = ended or None in lasting
             branches += [b for b in lasting if b is not None]
         if ended and not branches:
-            raise ProblemError(slip_has_ended(self.question))
+            raise ProblemError(ranges.slip_has_ended(self.question))
         if not motions or any(b.rhs.free_symbols & {*places.values()} for b in branches):
             return None
         branches = [replace(b, states=tuple(without(s, places.values()) for s in b.states)) for b in branches]
@@ -540,7 +541,8 @@ class _Search:
             elimination = eliminated(left, called, [self.parameter], [], called)
             if not elimination.solved or elimination.free:
                 return None
-            return [b for b in elimination.branches if not all(sign_of(v) == -1 for v in b.values)]
+            later = (after_start(b, root.value, self.parameter) for b in elimination.branches)
+            return [b for b in later if b is not None and not all(sign_of(v) == -1 for v in b.values)]
         if any(is_zero(e) is not True for e in left):
             return None
         at = motion.written(value.xreplace(rule))
