@@ -41,7 +41,7 @@ from lagrange.mechanics.questions.quadrature import (
     time_between,
     toward,
 )
-from lagrange.mechanics.questions.reach import initial_motion, kept_senses, place_stated
+from lagrange.mechanics.questions.reach import approach, initial_motion, kept_senses, place_stated
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, completed, mentioned, reduced
 from lagrange.mechanics.questions.states import (
@@ -185,9 +185,10 @@ class _Search:
         elif self.question.by is None and (constant := self._constant()) is not None:
             return constant
         if self.question.by != t and (self.question.by is not None or t not in self.quantity.free_symbols):
-            for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
-                if route is Route.INTEGRALS and not used:
-                    break
+            for route, used in (
+                (Route.STATE, []),
+                *((Route.INTEGRALS, u) for u in self.setting.finite_integrals(self.when)),
+            ):
                 elimination = self._eliminated(used)
                 if elimination.never:
                     raise ProblemError(ranges.never_holds(self.question, outright=route is Route.STATE))
@@ -509,14 +510,8 @@ class _Search:
             when.append(motion.solutions[self.question.by] - self.question.by)
         if self.question.by == t:
             return None if when else [AnswerBranch(called, value, (value,), ({},), motion.conditions)]
-        given = next(
-            (
-                e
-                for e in when
-                if e.is_Add and e.coeff(t, 1) in (1, -1) and t not in (e - e.coeff(t, 1) * t).free_symbols
-            ),
-            None,
-        )
+        linear = [e for e in when if e.is_Add and e.coeff(t, 1) in (1, -1)]
+        given = next((e for e in linear if t not in (e - e.coeff(t, 1) * t).free_symbols), None)
         timed = sorted((e for e in when if t in e.free_symbols), key=lambda e: (e is not given, count_operations(e)))
         for equation in timed:
             roots = times(equation, positive=self.question.by is None)
@@ -558,11 +553,11 @@ class _Search:
         """t = ∫ dq/q' from q_0 to q_1, where one coordinate moves and an integral gives q'; None if it is not found."""
         beginning = self._beginning
         one = beginning.free == 1
-        if self.question.quantity != t or len(self.when) != 1 or not (one or beginning.along):
+        if self.question.quantity != t or len(self.when) != 1:
             return None
-        place = place_stated(self.when[0], self.setting, beginning)
+        place = place_stated(self.when[0], self.setting, beginning) if one or beginning.along else None
         if place is None:
-            return self._by_speed()
+            return self._by_speed() or approach(self._asked(Route.QUADRATURE, How.EXACT), self.when[0], self.setting)
         (q, end), initial = place, self.setting.initial
         if q not in initial or end.free_symbols & {*self.place.moving}:
             return None
