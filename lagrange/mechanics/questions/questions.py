@@ -29,7 +29,7 @@ from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import arrivals, numerical, ranges
 from lagrange.mechanics.questions.branches import InitialMotion, first_branches, outright, sign_of_value
-from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
+from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions, power_drag
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under, under_one_root
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
@@ -450,6 +450,9 @@ class _Search:
         places = self.setting.places_of_no_matter(accelerations)
         rates = [r.velocity_form(self.slots) for r in self.configuration.rows if r.finite is None]
         motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping, rates)
+        if not motions and self.question.by == t and not slipping:
+            found = [power_drag(q, accelerations, self.setting.initial) for q in wanted]
+            motions = [m for m in found if m is not None] if len(found) == 1 else []
         branches: list[AnswerBranch] = []
         ended = False
         for m in motions:

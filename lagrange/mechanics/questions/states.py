@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
+from itertools import product
 
 import sympy as sp
 
@@ -32,7 +33,7 @@ from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.equilibrium.friction.balance import held_coordinates
-from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_TOGETHER
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_ANGLES, MOST_TOGETHER
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem, Question
 
 SymbolValues = Mapping[sp.Symbol, sp.Expr]
@@ -400,6 +401,8 @@ def _positions(
     unknown = [q for q in coordinates if q not in known]
     if not open_ or not unknown:
         return {}
+    if one_position and (seen := _angles_seen(open_, unknown)) is not None:
+        return seen
     try:
         solved = solutions(open_, unknown)
     except (NotAlgebraicError, DivisionByZeroError):
@@ -410,6 +413,25 @@ def _positions(
     values = [{r.lhs: r.rhs for r in b.relations if r.lhs in unknown} for b in branches]
     values = [{s: e for s, e in v.items() if not e.free_symbols & {*unknown}} for v in values]
     return min(values, key=_size_of_position)
+
+
+def _angles_seen(equations: Sequence[sp.Expr], unknown: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
+    """Angles that satisfy equations and stand in them already, or are right: θ = α where l sin θ is l sin α.
+
+    None where there are none, or lengths among the unknowns.
+    """
+    waves = {f for e in equations for f in e.atoms(sp.sin, sp.cos)}
+    given = [f.args[0] for f in sorted(waves, key=str) if f.free_symbols.isdisjoint(unknown)]
+    angles = {f.args[0] for f in waves}
+    if len(unknown) > MOST_ANGLES or len({*given}) > MOST_ANGLES or not {*unknown} <= angles:
+        return None
+    plain = [e for a in dict.fromkeys(given) for e in (a, sp.pi - a, -a)]
+    candidates = [*plain, sp.S.Zero, sp.pi / 2, -sp.pi / 2, sp.pi]
+    for values in product(candidates, repeat=len(unknown)):
+        rule = dict(zip(unknown, values, strict=True))
+        if all(sp.expand(e.xreplace(rule)) == 0 for e in equations):
+            return rule
+    return None
 
 
 def _size_of_position(values: SymbolValues) -> tuple[int, float]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 import sympy as sp
 
@@ -113,3 +115,12 @@ def test_a_velocity_that_leaves_a_surface_still_contradicts(problem: Read) -> No
     with pytest.raises(ProblemError) as error:
         asked(problem, bowl("x: R, y: 0, z: 0, x': v, y': 0, z': 0"))
     assert error.value.diagnostics[0].code == "initial-contradicts"
+
+
+def test_a_position_by_the_angles_that_the_file_gives(problem: Read) -> None:
+    """l sin α, 0, −l cos α is θ = α, φ = 0; in a circle v² = g l sin α tan α."""
+    text = bowl("x: R*cos(b), y: 0, z: -R*sin(b), x': 0, y': v, z': 0").replace("R: positive", "R: positive, b: acute")
+    text = text[: text.index("ask:")] + "ask: {circle: {quantity: v, when: [t = 0, \"theta'' = 0\"]}}\n"
+    [branch] = asked(problem, text).branches
+    values = {s: {"b": sp.Rational(1, 3), "g": 10, "R": 2}[s.name] for s in branch.rhs.free_symbols}
+    assert float(branch.rhs.subs(values)) ** 2 == pytest.approx(20 * math.cos(1 / 3) / math.tan(1 / 3))
