@@ -226,10 +226,10 @@ class Supports:
                 up = up if reaction.constraint.side > 0 else scaled(up, -1.0)
                 if len(names) > 1 and inner(up, self.down) < -0.99:
                     self._under(names, up)
+        struck = self.system.problem.impact is not None and self.system.problem.gravity is not None
         named = [p.name for p in self.system.configuration.points if p.name in self.system.problem.figure.shapes]
-        grounds = any(line.kind is StrokeKind.GROUND for line in self.sketch.lines)
-        field = self.system.problem.gravity
-        if self.system.problem.impact is not None and field is not None and not grounds and ON_FLOOR.search(self.system.text) and named:
+        drawn = any(line.kind is StrokeKind.GROUND for line in self.sketch.lines)
+        if struck and named and not drawn and ON_FLOOR.search(self.system.text):
             self._under(named, scaled(self.down, -1.0))
 
     def _carried_by(self, reaction: Reaction) -> tuple[list[str], FloatVector]:
