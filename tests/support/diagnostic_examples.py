@@ -105,7 +105,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "not-real": ("The value is not a real number.", "sqrt(-1)*x = 0"),
     "number-of-arguments": ("The function takes another number of arguments.", "atan2(x) = 0"),
     "number-too-large": ("The result is too large to be intended.", None),
-    "number-too-long": ("A number has 30 digits at most; make it a parameter with a `value`.",
+    "number-too-long": ("A number has 30 digits at most, and a power of ten up to 40; make it a parameter with a `value`.",
         "3.14159265358979323846264338327950288 = x"),
     "prime-of-constant": ("A parameter is constant; what varies is a coordinate or a function `u: [t]`.", "m' = 0"),
     "prime-of-function": ("Write the derivative of a function with `diff`.", File(
