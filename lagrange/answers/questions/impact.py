@@ -395,7 +395,7 @@ def with_omega(answer: Sequence[Fragment], reference: Reference, motion: Impulsi
 
 
 def _omega_with_index(answer: Sequence[Fragment], declared: Collection[str]) -> str:
-    """The name of ω with an index that occurs in an answer and that the problem does not declare; empty if none does."""
+    """The name of ω with an index that occurs in an answer and is not declared; empty if none does."""
     for index in _OMEGA_AFTER:
         mark = "['′]" if index == "prime" else rf"_\{{?\s*{index}\s*\}}?(?![A-Za-z0-9])"
         written = re.compile(rf"(?:\\?omega|ω){mark}")

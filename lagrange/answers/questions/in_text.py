@@ -290,7 +290,8 @@ def _with_places_as_labels(
         return judged
     others = [
         replace(a, verdict=Verdict.EQUIVALENT, missing=0)
-        if (a.name, a.verdict) == ("equilibrium", Verdict.INCOMPLETE) and {e.text.strip() for e in a.equations} <= labels
+        if (a.name, a.verdict) == ("equilibrium", Verdict.INCOMPLETE)
+        and {e.text.strip() for e in a.equations} <= labels
         else a
         for a in judged.others
     ]

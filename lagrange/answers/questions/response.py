@@ -170,8 +170,10 @@ def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
 
 
 _TRIAL = re.compile(
-    r"[\s$&]*(?P<coordinate>\\?[^\W\d_]\w{0,12}?)\s*(?:\(\s*t\s*\))?\s*&?=\s*(?P<amplitude>\\?[^\W\d_](?:_\{?\w{1,3}\}?)?)"
-    r"(?:\\[,;:! ]|[\s*·])*\\?(?:cos|sin)\s*(?:\\left\s*)?\(?\s*\\?\w{1,8}\s*\\?,?[\s*]*t\s*(?:\\right\s*)?\)?[\s.,:;$]*\Z"
+    r"[\s$&]*(?P<coordinate>\\?[^\W\d_]\w{0,12}?)\s*(?:\(\s*t\s*\))?\s*&?=\s*"
+    r"(?P<amplitude>\\?[^\W\d_](?:_\{?\w{1,3}\}?)?)"
+    r"(?:\\[,;:! ]|[\s*·])*\\?(?:cos|sin)\s*(?:\\left\s*)?\(?"
+    r"\s*\\?\w{1,8}\s*\\?,?[\s*]*t\s*(?:\\right\s*)?\)?[\s.,:;$]*\Z"
 )
 """A trial solution, `x = X cos(w t)`, whose amplitude other lines determine."""
 

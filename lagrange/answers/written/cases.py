@@ -136,11 +136,13 @@ _SIGN_OF_CASE = re.compile(
 
 
 def _upper_sign(match: re.Match[str]) -> str:
-    """The same with the case of the upper sign: its signs are exchanged where the condition is that of the lower one."""
+    """The same with the case of the upper sign, and with its signs exchanged where the lower one is described."""
     upper = {"±": "+", "\\pm": "+", "∓": "-", "\\mp": "-"}[match["both"]]
     case = match["case"].split()[0].lower().replace("−", "-").replace("plus", "+").replace("minus", "-")
     both = match["both"] if case == upper else _PLUS_MINUS[match["both"]]
-    first = match["first"].replace("}", "", 1) if match["first"].count("}") > match["first"].count("{") else match["first"]
+    first = (
+        match["first"].replace("}", "", 1) if match["first"].count("}") > match["first"].count("{") else match["first"]
+    )
     return f"{both}{match['term']}{match['opened']}upper sign {match['where']}{first}"
 
 

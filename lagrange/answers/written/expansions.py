@@ -23,7 +23,9 @@ from lagrange.expressions.characters import GREEK
 
 ORDER = "expanded to O({})"
 """What is noted beside an equation whose neglected term was left out."""
-_ORDER = re.compile(r"expanded to O\(\s*(?P<name>\\?[^\W\d]\w{0,12})\s*(?:\^\s*\{?\s*(?P<power>[1-9])\s*\}?|(?P<digit>[²³⁴⁵⁶]))?\s*\)")
+_ORDER = re.compile(
+    r"expanded to O\(\s*(?P<name>\\?[^\W\d]\w{0,12})\s*(?:\^\s*\{?\s*(?P<power>[1-9])\s*\}?|(?P<digit>[²³⁴⁵⁶]))?\s*\)"
+)
 _SMALL = re.compile(r"\bsmall\s+(?:angles?\s+|values?\s+of\s+|displacements?\s+)?\$?\\?(?P<name>[^\W\d]\w{0,12})")
 _ELSE_TOO = re.compile(r"≪|≫|<<|>>|\\ll|\\gg|neglect|limit", re.IGNORECASE)
 _DIGITS = {"²": 2, "³": 3, "⁴": 4, "⁵": 5, "⁶": 6}

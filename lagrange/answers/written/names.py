@@ -78,7 +78,9 @@ _TWICE_DERIVED = re.compile(r"(?<![A-Za-z0-9_])([^\W\d_][A-Za-z0-9_]{0,12})(?:''
 _A_STATED = re.compile(
     r"(?<![\w\\])a\s*&?=[^=+]*(?:''|ddot|\u0308|¨|dv|d\^2|d²)|(?:''|\u0308|¨|\}|v\u0307)[^=+]*=\s*a\s*\Z"
 )
-_RATE_OF_V = re.compile(r"(?<![A-Za-z_])[mM]\s*[*·]?\s*v'|(?<![A-Za-z])d\s?v\s*(?:/|\}\s*\{)\s*d\s?[a-z]|\\dot\s*\{?\s*v(?![A-Za-z])|v\u0307")
+_RATE_OF_V = re.compile(
+    r"(?<![A-Za-z_])[mM]\s*[*·]?\s*v'|(?<![A-Za-z])d\s?v\s*(?:/|\}\s*\{)\s*d\s?[a-z]|\\dot\s*\{?\s*v(?![A-Za-z])|v\u0307"
+)
 _V_IS = re.compile(r"(?<![A-Za-z_])(?<!\\dot\s)(?<!/dt\s)v(?:\^2|²|\^\{2\})?\s*&?=(?!=)|=\s*v\s*\Z")
 _V_SQUARED = re.compile(r"(?<![A-Za-z_\\])v\s*(?:\^\s*\{?\s*2|²|\*\*\s*2)")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")

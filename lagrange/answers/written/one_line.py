@@ -193,7 +193,9 @@ def with_definitions_in_alternatives(answer: Sequence[Fragment], declared: Colle
         meant[match["name"]] = f"{inverse}({value})" if inverse else f"({value})"
     if not meant:
         return [*answer]
-    used = re.compile(rf"(?<![\w\\])(?:{'|'.join(map(re.escape, sorted(meant, key=len, reverse=True)))})(?![A-Za-z0-9_])")
+    used = re.compile(
+        rf"(?<![\w\\])(?:{'|'.join(map(re.escape, sorted(meant, key=len, reverse=True)))})(?![A-Za-z0-9_])"
+    )
     made = []
     for f in answer:
         draft = Draft(f)
