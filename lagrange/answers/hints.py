@@ -304,7 +304,7 @@ def other_convention(equations: Sequence[sp.Expr], residues: Residues) -> Conven
 def _conventions(equations: Sequence[sp.Expr], slots: Slots) -> Iterator[Convention]:
     used = set().union(*(e.free_symbols for e in equations))
     waves = set().union(*(w.free_symbols for e in equations for w in e.atoms(sp.sin, sp.cos, sp.tan)))
-    for q in slots.coordinates:
+    for q in sorted(slots.coordinates, key=lambda q: q not in waves):  # a distance is hardly measured the other way
         if not used & {q, prime(q), prime(q, 2)}:
             continue
         yield Convention(q, Turn.REVERSED, -q)

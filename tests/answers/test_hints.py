@@ -149,6 +149,11 @@ def measured(equations: str = "[\"m*l^2*theta'' + m*g*l*sin(theta) = 0\"]") -> R
             "m*r*r'*phi' is left: is the derivative carried out rightly?",
         ),
         (
+            "ex17-spherical-pendulum",
+            "r*theta'' + 2*r'*theta' - r*phi'^2*sin(theta)*cos(theta) + g*sin(theta) = 0",
+            "gravity that acts the other way, or for theta measured from the opposite direction, the other way",
+        ),
+        (
             "two-body-problem",
             "u'' = -G*m1*u/(u^2 + v^2)^(3/2)",
             "m2*G*u/(u^2 + v^2)^(3/2) is missing on its left side",
