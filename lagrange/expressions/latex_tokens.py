@@ -415,7 +415,7 @@ class AtomReader:
             help_ = "decimal points occur in numbers only; a product is written `\\cdot`"
             raise scanner.error("bad-number", "a number has one decimal point", scanner.at, scanner.at + 1, help_)
         if len(integer) + len(decimals) > MAX_DIGITS or places > MAX_POWER_OF_TEN:
-            message = f"a number may have {MAX_DIGITS} digits, and a power of ten up to {MAX_POWER_OF_TEN}"
+            message = f"a number may have at most {MAX_DIGITS} digits, and a power of ten up to {MAX_POWER_OF_TEN}"
             help_ = "round it, or declare a parameter instead"
             raise scanner.error("number-too-long", message, start, scanner.at, help_)
         text = f"{integer or '0'}{'.' + decimals if decimals else ''}{exponent}"

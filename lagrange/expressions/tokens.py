@@ -216,7 +216,7 @@ class _Lexer:
 
     def _too_long(self, start: int) -> ProblemError:
         message, help_ = (
-            f"a number may have {MAX_DIGITS} digits, and a power of ten up to {MAX_POWER_OF_TEN}",
+            f"a number may have at most {MAX_DIGITS} digits, and a power of ten up to {MAX_POWER_OF_TEN}",
             "round it, or declare a parameter instead",
         )
         return self._error("number-too-long", message, start, self.at, help_)

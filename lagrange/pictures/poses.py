@@ -34,7 +34,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, plus, projected, value
-from lagrange.pictures.limits import LEAST_GAP, SAME_PLACE, TRIALS
+from lagrange.pictures.limits import LEAST_GAP, MOST_UNEQUAL, SAME_PLACE, TRIALS
 from lagrange.problem.model import Problem
 
 # What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
@@ -166,7 +166,7 @@ def _guess(
     angles = set(_angles([*_expressions(configuration, points)]))
     values: dict[sp.Symbol, float] = {t: 1.0}
     chosen = chosen_values(problem)
-    given = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
+    given = _given(problem, [*_expressions(configuration, points)], configuration)
     parameters = {p.symbol for p in problem.parameters}
     coordinates = configuration.slots.coordinates
     unknowns = set().union(*(e.free_symbols for e in _expressions(configuration, points))) if points else set()
@@ -191,6 +191,28 @@ def _guess(
         values[s] = factor(values)
     undefined = {sp.Symbol(f.name, real=True): chosen[f.name] for f in problem.functions if f.name in chosen}
     return {s: chosen.get(s.name, v) for s, v in values.items()} | undefined
+
+
+def _given(problem: Problem, expressions: Sequence[sp.Expr], configuration: Configuration) -> dict[sp.Symbol, float]:
+    """The values of the file, with lengths in a unit in which they have the size that their letters suggest.
+
+    A disc of 150 mm is drawn as large as one of 3 m. Lengths of very different sizes are brought nearer to each other,
+    in their order: an axle of 5 mm under a string of 2 m would not be seen.
+    """
+    values = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
+    moments = [moment for r in configuration.rotations for moment in r.inertia.moments]
+    used = set().union(*(e.free_symbols for e in (*expressions, *moments))) if expressions else set()
+    lengths = {p.symbol: abs(values[p.symbol]) for p in problem.parameters if p.symbol in values and p.unit == "m"}
+    lengths = {s: v for s, v in lengths.items() if s in used and v > 0}
+    bare = any(a.is_Number and a != 0 for e in expressions for a in sp.Add.make_args(e) if e.is_Add)
+    if not lengths or problem.figure.at or bare:
+        return values
+    greatest, least = max(lengths.values()), min(lengths.values())
+    power = math.log(MOST_UNEQUAL) / math.log(greatest / least) if greatest > MOST_UNEQUAL * least else 1.0
+    size = max(_size(s) for s in lengths)
+    drawn = {s: math.copysign(size * (v / greatest) ** power, values[s]) for s, v in lengths.items()}
+    curvatures = [p.symbol for p in problem.parameters if p.symbol in values and p.unit == "1/m"]
+    return values | drawn | {s: values[s] * greatest / size for s in curvatures}
 
 
 def _below(problem: Problem, configuration: Configuration, points: Sequence[Vector]) -> Iterator[sp.Symbol]:
