@@ -91,7 +91,7 @@ def compared_answer(answer: Sequence[Fragment], reference: Reference) -> Compare
             Diagnostic("no-answer", "there is no equation to check", help="give equations with -e, or in a file")
         )
     if len(answer) > MAX_EQUATIONS:
-        message = f"an answer may have {MAX_EQUATIONS} equations, and this one has {len(answer)}"
+        message = f"an answer may have at most {MAX_EQUATIONS} equations; this one has {len(answer)}"
         help_ = "leave out those that follow from the others"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole, help=help_))
     readings = [read_answer(f, reference.scope) for f in answer]

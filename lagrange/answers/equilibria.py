@@ -74,7 +74,7 @@ def alternatives_of(answer: Sequence[Fragment]) -> list[tuple[Fragment, ...]]:
     for p in parts:
         total *= len(p)
     if total > MAX_ALTERNATIVES:
-        message = f"an answer may have {MAX_ALTERNATIVES} alternatives, and this one has {total}"
+        message = f"an answer may have {MAX_ALTERNATIVES} alternatives; this one has {total}"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[0].whole))
     return [tuple(choice) for choice in product(*parts)]
 

@@ -49,6 +49,7 @@ from lagrange.answers.written.notation.matrices import with_bracketed_arrays
 from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.answers.written.notation.rare import ratios_of
+from lagrange.answers.written.notation.typesetters import in_plain_formulas
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.edits import cuts
@@ -124,7 +125,7 @@ def answer_in_file(
     Raises ProblemError as `equations_in_file` does.
     """
     source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
-    source = replace(source, text=with_bracketed_arrays(with_cases(in_usual_signs(source.text))))
+    source = replace(source, text=with_bracketed_arrays(with_cases(in_usual_signs(in_plain_formulas(source.text)))))
     equations = equations_in_file(source, ending, conditions=conditions)
     in_words = not equations and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
     if in_words or (not equations and is_expressions(source.text)):
@@ -172,7 +173,7 @@ def _check_size(fragment: Fragment) -> None:
         (text.count("\n"), MAX_FILE_LINES, "lines"),
     ):
         if number > most:
-            message = f"a file may have {most:,} {what}, and this one has {number:,}"
+            message = f"a file may have {most:,} {what}; this one has {number:,}"
             help_ = "hand in the equations asked for, and not everything that was computed"
             raise ProblemError(Diagnostic("too-many-equations", message, fragment.span(0, 20), help=help_))
 

@@ -75,7 +75,7 @@ _MARK = (
     r"|(?P<equals>:=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overset|stackrel)\s?\{!\}\s?\{=\})"
     r"|(?P<thin>\\(?:[,;:! ]|nonumber|notag|displaystyle|hline|centering|noindent)(?![A-Za-z]))"
     r"|(?P<cases>\\left\s?(?:\\\{|\\lbrace|\.)(?=\s*\\begin)|\\right\s?\.)"
-    r"|(?P<sign>\$\$|\$|\\[()\[\]]|\\?[{}]|[()\[\]=,;])|(?P<paragraph>\n[ \t\r]*\n)|\\(?:[A-Za-z]+|.)"
+    r"|(?P<column>&)|(?P<sign>\$\$|\$|\\[()\[\]]|\\?[{}]|[()\[\]=,;])|(?P<paragraph>\n[ \t\r]*\n)|\\(?:[A-Za-z]+|.)"
 )
 """Compiled when LaTeX is read first: it takes longer than the modules of this package."""
 ALTERNATIVE = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
@@ -202,7 +202,7 @@ def has_equation(marks: Sequence[LayoutMark], region: Region) -> bool:
 def rows(fragment: Fragment, marks: Sequence[LayoutMark], region: Region) -> list[LatexFragment]:
     """The equations in one region of a text."""
     text, trim = fragment.text, _Trim(fragment.text, marks[region.first : region.last])
-    cut = [(start, *trim.both(start, end), equals) for start, end, equals in _cut(marks, region)]
+    cut = [(start, *trim.both(start, end), equals) for start, end, equals in _cut(text, marks, region)]
     parts = [(start, end, equals) for _, start, end, equals in cut if start < end]
     words = {start: " ".join(_WORDS.findall(text, first, start)) for first, start, end, _ in cut if start < end}
     joined: list[tuple[int, int, bool]] = []
@@ -223,8 +223,8 @@ def _continues(text: str, begun: int, ended: int, parts: Sequence[tuple[int, int
     return not equals and not begins_another
 
 
-def _cut(marks: Sequence[LayoutMark], region: Region) -> Iterator[tuple[int, int, bool]]:
-    """Cut at rows, delimiters and environments, and at commas and wide spaces that another equation follows.
+def _cut(text: str, marks: Sequence[LayoutMark], region: Region) -> Iterator[tuple[int, int, bool]]:
+    """Cut at rows, delimiters and environments; at commas, wide spaces and columns that another equation follows.
 
     Yields where each part begins and ends, and whether it has a `=`.
     """
@@ -253,6 +253,8 @@ def _cut(marks: Sequence[LayoutMark], region: Region) -> Iterator[tuple[int, int
             outside = True
         elif braces == brackets == 0 and kind in (",", ";", "wide", "words"):
             outside = equals_since_or and n in followed
+        elif braces == brackets == 0 and kind == "column" and equals and n in followed:
+            outside = text[marks[n].end :].lstrip(" \t\r\n&")[:1] not in "=<>+-"  # in b & = c it goes on
         if outside:
             yield start, marks[n].start, equals
             start, equals, equals_since_or, brackets = marks[n].end, False, False, 0

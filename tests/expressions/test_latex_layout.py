@@ -54,7 +54,8 @@ LAYOUTS: dict[str, list[str]] = {
 
 LAYOUTS |= {
     r"\begin{align} x &= 0, \label{a} \\ y &= 1. \tag{2} \end{align}": ["x &= 0", "y &= 1"],
-    r"\begin{align} x &= 0 & y &= 1 \end{align}": [r"x &= 0 & y &= 1"],
+    r"\begin{align} x &= 0 & y &= 1 \end{align}": ["x &= 0", "y &= 1"],
+    r"\begin{align} x &= 0 & &= 1 + y & + z \end{align}": [r"x &= 0 & &= 1 + y & + z"],
     r"\begin{align} m\ddot x &= -kx \\ &\quad + c \\ y &= 0 \end{align}": [r"m\ddot x &= -kx \\ &\quad + c", "y &= 0"],
     r"\begin{multline} m\ddot x + k x \\ = c \end{multline}": [r"m\ddot x + k x \\ = c"],
     r"\begin{equation}\begin{split} x &= 0 \\ y &= 1 \end{split}\end{equation}": ["x &= 0", "y &= 1"],

@@ -258,6 +258,8 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             if judged is not None and frequencies.verdict is Verdict.EQUIVALENT and _is_unread(judged):
                 named = tuple(d.as_note() for d in judged.messages)  # a line that cannot be read does not sink the rest
                 return _only(replace(frequencies, notes=(*frequencies.notes, *named)), solution)
+            if judged is not None and frequencies.verdict is Verdict.EQUIVALENT:
+                judged = _with_places_as_labels(judged, rest, stated, solution)
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
         if frequencies.verdict is Verdict.UNDECIDED and not rest:
             others = _if_readable(answer, judge)
@@ -265,6 +267,36 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
                 others if others is not None and _is_about(others, stated, reference) else _only(frequencies, solution)
             )
     return _with_positions(answer, solution, judge)
+
+
+def _with_places_as_labels(
+    judged: Judgement, rest: Sequence[Fragment], stated: Sequence[Fragment], solution: Solution
+) -> Judgement:
+    """The verdict where right positions, each on one line with a frequency, only say where that is one.
+
+    They are no list of equilibria then, and none is missing if each place with frequencies of its own has them.
+    """
+    from lagrange.answers.questions.linear_equations import number_of_oscillating_places
+
+    lines = {_line_of(f) for f in stated}
+    labels = {f.text.strip() for f in rest if _line_of(f) in lines}
+    needed = number_of_oscillating_places(solution) if labels else None
+    if needed is None or len(labels) < needed:
+        return judged
+    others = [
+        replace(a, verdict=Verdict.EQUIVALENT, missing=0)
+        if (a.name, a.verdict) == ("equilibrium", Verdict.INCOMPLETE)
+        and {e.text.strip() for e in a.equations} <= labels
+        else a
+        for a in judged.others
+    ]
+    return replace(judged, others=tuple(others))
+
+
+def _line_of(fragment: Fragment) -> int:
+    """The number of the line of the source on which a fragment begins."""
+    span = fragment.span(0, len(fragment.text))
+    return span.source.text.count("\n", 0, span.start)
 
 
 def _is_about(judged: Judgement, stated: Sequence[Fragment], reference: Reference) -> bool:

@@ -240,6 +240,28 @@ def _places(linearization: Linearization) -> Iterator[EquilibriumPoint]:
             yield from (EquilibriumPoint(s, linearization.equilibrium, branch, point) for point in branch.points)
 
 
+def number_of_oscillating_places(solution: Solution) -> int | None:
+    """The number of equilibria with different frequencies, without those where nothing can oscillate; None: unknown."""
+    numbers = []
+    for view in solution.views:
+        if view.linearization is None:
+            continue
+        found: list[list[sp.Expr]] = []
+        for place in _places(view.linearization):
+            try:
+                squares = [f.square if f.square is None else place.at(f.square) for f in place.oscillations.frequencies]
+            except NotAlgebraicError:
+                return None
+            if not squares or None in squares:
+                return None
+            known = [e for e in squares if e is not None]
+            same = any(len(o) == len(known) and all(map(_vanishes, map(sp.Add, o, (-e for e in known)))) for o in found)
+            if not same and all(place.sign(f.square) != -1 for f in place.oscillations.frequencies):
+                found.append(known)
+        numbers.append(len(found))
+    return max(numbers, default=None)
+
+
 def _position(place: EquilibriumPoint) -> str:
     """Where the equilibrium is: `theta1 = 0, theta2 = 0`."""
     return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in place.branch.relations) or "the equilibrium"

@@ -219,7 +219,9 @@ def is_used_beside(fragment: Fragment, answer: Sequence[Fragment], reference: Re
         return True
     name = match["written"].strip()
     written = re.escape(name)
-    before = "" if name[:1] in GREEK else r"(?<![A-Za-z_\\])(?<![A-Za-z_][0-9])"  # of Rω, ω is a factor
+    before = (
+        "" if name[:1] in GREEK or name[:1] == "\\" else r"(?<![A-Za-z_\\])(?<![A-Za-z_][0-9])"
+    )  # of Rω, ω is a factor
     used = re.compile(rf"{before}{written}(?![A-Za-z0-9_{{])")
     rate = re.compile(rf"(?<![A-Za-z\\])d\s?{written}\s*(?:/|\}}\s*\{{)\s*d|\\dot\s*\{{?\s*{written}(?![A-Za-z0-9_])")
     others = (f.text for f in answer if f is not fragment and not rate.search(f.text))  # of dv/dt, v is the velocity

@@ -30,7 +30,7 @@ from lagrange.answers.readings import GivenEquation, displaced_coordinates, with
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, MIXED_CHOICES, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.names import has_word, spelled_out
 from lagrange.answers.written.reading import read_as_written
-from lagrange.core.diagnostics import Fragment
+from lagrange.core.diagnostics import Diagnostic, Fragment
 from lagrange.core.symbols import CONSTANT, base, differential, prime, symbols_in, variation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import Standing, System, agreed_in_motion, compare
@@ -62,7 +62,8 @@ def check_constraints(working: Working, solution: Solution) -> AnswerVerdict:
     judged: list[EquationVerdict] = []
     stated: list[sp.Expr] = []
     integrals, unread = with_constants(working, solution)
-    for text, components, other in [*_readings(working, solution), *integrals]:
+    readings, eliminating = _without_unknowns([*_readings(working, solution)], working)
+    for text, components, other in [*readings, *integrals]:
         try:
             verdict, why = _judged(components, solution)
             if verdict is Verdict.WRONG and other and _judged(other, solution)[0] is Verdict.EQUIVALENT:
@@ -90,7 +91,32 @@ def check_constraints(working: Working, solution: Solution) -> AnswerVerdict:
         if f.reading.error
     ]
     diagnosis = "" if not missing else f"{missing} independent equation{'s are' if missing > 1 else ' is'} missing"
-    return AnswerVerdict(whole, tuple(judged), missing, unreadable=errors, notes=working.notes, diagnosis=diagnosis)
+    notes = (*working.notes, *eliminating)
+    return AnswerVerdict(whole, tuple(judged), missing, unreadable=errors, notes=notes, diagnosis=diagnosis)
+
+
+def _without_unknowns(readings: list[_Stated], working: Working) -> tuple[list[_Stated], list[Diagnostic]]:
+    """The statements with what one of them says about a name in the others: of x' = v cos θ, y' = v sin θ the second.
+
+    The name, a speed or an angular velocity that nobody declared, occurs in each of them as a factor.
+    """
+    notes = []
+    for unknown in working.unknowns:
+        slopes = [[e.diff(unknown) for e in components] for _, components, _ in readings]
+        with_it = [n for n, each in enumerate(slopes) if any(c != 0 for c in each)]
+        if len(with_it) < 2 or any(len(slopes[n]) != 1 or slopes[n][0].has(unknown) for n in with_it):
+            continue
+        pivot = min(with_it, key=lambda n: sp.count_ops(slopes[n][0]))
+        [solved], [of_solved] = readings[pivot][1], slopes[pivot]
+        kept: list[_Stated] = []
+        for n, (text, components, other) in enumerate(readings):
+            if n in with_it and n != pivot:
+                components, other = (sp.expand(components[0] * of_solved - solved * slopes[n][0]),), ()
+            kept += [(text, components, other)] if n != pivot else []
+        message = f"`{readings[pivot][0]}` says what `{unknown}` is, which is put into the other equations"
+        notes.append(Diagnostic("read-as", message, working.judged[0].whole).as_note())
+        readings = kept
+    return readings, notes
 
 
 def _readings(working: Working, solution: Solution) -> Iterator[_Stated]:

@@ -45,10 +45,10 @@ from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
-from lagrange.core.units import NO_DIMENSION
+from lagrange.core.units import NO_DIMENSION, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import ABOUT, GREEK
-from lagrange.expressions.edits import Draft, cut, cuts
+from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import is_inequality, read_value
 from lagrange.expressions.syntax_tree import FUNCTIONS
@@ -93,11 +93,19 @@ def as_asked(answer: Sequence[Fragment], solution: Solution) -> tuple[Fragment, 
         return tuple(replace(f, text=text) for text, f in zip(named, answer, strict=True))
     if not all(is_expressions(f.text) for f in answer):
         return None
+    answer = [_listed(f) for f in answer]
     pieces = [cut(f, *p) for f in answer for p in cuts(f.text, _BETWEEN) if f.text[slice(*p)].strip(" $.\n")]
     names = _names(solution, pieces)
     if names is None or len(names) != len(pieces):
         return None
     return tuple(_equation(name, f) for name, f in zip(names, pieces, strict=True))
+
+
+def _listed(fragment: Fragment) -> Fragment:
+    """What stands between the brackets of a list, `{0, Sqrt[c/m]}`; the text itself where it is none."""
+    start, end = len(fragment.text) - len(fragment.text.lstrip()), len(fragment.text.rstrip())
+    within = fragment.text[start : start + 1] in ("{", "[") and closings(fragment.text).get(start) == end - 1
+    return cut(fragment, start + 1, end - 1) if within and "," in fragment.text else fragment
 
 
 def _names(solution: Solution, pieces: Sequence[Fragment]) -> list[str] | None:
@@ -243,6 +251,7 @@ def asked_in_text(
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
         ]
         named = [] if _NAMES_A_RATE.match(fragment.text) or is_used_beside(fragment, answer, reference) else named
+        named = [] if _is_potential_energy(fragment, answer, wider) else named
         named = [] if has_frequencies and _FREQUENCY.match(fragment.text) else named
         about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
@@ -271,6 +280,26 @@ def asked_in_text(
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+
+
+_POTENTIAL = re.compile(r"[\s$&]*(?:\\mathcal\s*\{?\s*)?(?P<name>[VU])\s*\}?\s*(?:\([^()=]{0,20}\))?\s*&?=(?!=)")
+_KINETIC = re.compile(r"[\s$&]*(?:\\mathcal\s*\{?\s*)?[TK](?:_\{?\w{1,8}\}?)?\s*\}?\s*&?=[^=]*(?:['\u0307]|dot)")
+_ENERGY = tuple(sp.Integer(n) for n in unit_of("J").dimension)  # type: ignore[union-attr]
+
+
+def _is_potential_energy(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
+    """Whether `V = ...` is an energy and no speed: by its dimension, or beside a kinetic energy where that is unknown."""
+    match = _POTENTIAL.match(fragment.text)
+    if match is None or match["name"] in reference.declared:
+        return False
+    scope, known = reference.scope, dimensions_of_units(reference.units)
+    side = cut(fragment, match.end(), len(fragment.text))
+    try:
+        value = tried(side, scope, lambda f: read_value(f, scope, [], latex=True))
+    except ProblemError:
+        return False
+    of_value = dimension(value, known) if isinstance(value, sp.Expr) else None
+    return of_value == _ENERGY if of_value is not None else any(_KINETIC.match(f.text) for f in answer)
 
 
 _NUMBER_BESIDE = re.compile(

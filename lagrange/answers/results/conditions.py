@@ -200,7 +200,7 @@ def _reasons(stated: StatedCondition, derived: Sequence[sp.Expr], coefficients: 
         yield from _of_directions(stated.slack, limit.slack)
 
 
-_REVERSED = "the limit is right, and the inequality has the wrong sense"
+_REVERSED = "the limit is right, but the inequality has the wrong sense"
 _AND_REVERSED = ", and with the wrong sense of the inequality"
 _AN_EQUATION = "this is the limit, and not the range in which the system rests"
 _ADDED = "the limits of two contacts are added: each of them has to hold by itself"

@@ -72,9 +72,9 @@ def explained_uniform(
                 sp.sqrt(motion.velocity**2 + 2 * motion.acceleration * (place - motion.start)),
             )
             if motion.velocity == 0 and is_zero(claim**2 - way / motion.acceleration) is True:
-                return "the way is taken as A t^2, and with a constant acceleration A from rest it is A t^2/2"
+                return "the distance is taken as A t^2, but with a constant acceleration A from rest it is A t^2/2"
             if is_zero(claim**2 - (way / end) ** 2) is True:
-                return "the way is divided by the velocity at its end, and the velocity changes"
+                return "the distance is divided by the final velocity, but the velocity changes"
         stated = _acceleration(claim, asked, motion)
         if stated is None or is_zero(stated - motion.acceleration) is not False:
             return ""
@@ -179,7 +179,7 @@ def explained_by_first_acceleration(claim: sp.Expr, asked: Asked, candidates: Se
             continue  # a force that vanishes at the start is left out, rather than taken as constant
         stated = _acceleration(claim, asked, Uniform(q, initial[q], initial[v], first))
         if first != 0 and stated is not None and is_zero(stated - first) is True:
-            return "the acceleration at the start is taken as constant, and it changes"
+            return "the acceleration at the start is taken as constant, but it changes"
     return ""
 
 

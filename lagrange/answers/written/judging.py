@@ -17,7 +17,8 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.answers.readings import GivenEquation, displaced_coordinates
 from lagrange.answers.references import Reference
-from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.verdicts import DOES_NOT_FOLLOW, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.expansions import contradiction_in_expansion
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, Severity
 from lagrange.core.records import record
@@ -64,8 +65,22 @@ def verdict_on(
 
         verdict = right_as_far_as_stated(equations, verdict, reference) or verdict
     if verdict.verdict is Verdict.WRONG:
-        verdict = check(equations, True)
+        verdict = _with_expansions_explained(check(equations, True), equations, reference)
     return _with_unreadable(replace(verdict, notes=(*verdict.notes, *notes)), equations, working)
+
+
+def _with_expansions_explained(
+    verdict: AnswerVerdict, equations: Sequence[Fragment], reference: Reference
+) -> AnswerVerdict:
+    """The verdict with the order in which a wrong expansion differs; that it is not exact is no mistake."""
+    judged = [*verdict.equations]
+    if len(judged) != len(equations):
+        return verdict
+    for n in _wrong(verdict):
+        if why := contradiction_in_expansion(equations[n], reference):
+            hints = (judged[n].hints[0] if judged[n].hints else DOES_NOT_FOLLOW, why, why)
+            judged[n] = replace(judged[n], diagnosis=why, hints=hints, cause="", model="")
+    return replace(verdict, equations=tuple(judged))
 
 
 def _wrong(verdict: AnswerVerdict) -> list[int]:
@@ -156,6 +171,7 @@ def _without_asides(
     if len(wrong) == len(equations):
         return unchanged
     approximations = [n for n in wrong if n in working.approximate]
+    approximations = [n for n in approximations if not contradiction_in_expansion(equations[n], reference)]
     if approximations and len(approximations) < len(equations):
         kept = [e for n, e in enumerate(equations) if n not in approximations]
         again = check(kept, False)

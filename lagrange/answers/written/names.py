@@ -45,6 +45,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import LONGEST_NEW_COORDINATE
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
@@ -77,8 +78,10 @@ _TWICE_DERIVED = re.compile(r"(?<![A-Za-z0-9_])([^\W\d_][A-Za-z0-9_]{0,12})(?:''
 _A_STATED = re.compile(
     r"(?<![\w\\])a\s*&?=[^=+]*(?:''|ddot|\u0308|¨|dv|d\^2|d²)|(?:''|\u0308|¨|\}|v\u0307)[^=+]*=\s*a\s*\Z"
 )
-_RATE_OF_V = re.compile(r"(?<![A-Za-z])d\s?v\s*(?:/|\}\s*\{)\s*d\s?[a-z]|\\dot\s*\{?\s*v(?![A-Za-z])|v\u0307")
-_V_IS = re.compile(r"(?<![A-Za-z_])v(?:\^2|²|\^\{2\})?\s*&?=(?!=)|=\s*v\s*\Z")
+_RATE_OF_V = re.compile(
+    r"(?<![A-Za-z_])[mM]\s*[*·]?\s*v'|(?<![A-Za-z])d\s?v\s*(?:/|\}\s*\{)\s*d\s?[a-z]|\\dot\s*\{?\s*v(?![A-Za-z])|v\u0307"
+)
+_V_IS = re.compile(r"(?<![A-Za-z_])(?<!\\dot\s)(?<!/dt\s)v(?:\^2|²|\^\{2\})?\s*&?=(?!=)|=\s*v\s*\Z")
 _V_SQUARED = re.compile(r"(?<![A-Za-z_\\])v\s*(?:\^\s*\{?\s*2|²|\*\*\s*2)")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
 _PLACE = re.compile(
@@ -141,6 +144,8 @@ def other_names(
             scalars["a"] = prime(prime(length))
         if _is_speed(texts, scope, reference):
             scalars["v"] = prime(length)
+    elif _is_speed(texts, scope, reference) and (along := _speed_along_path(reference)) is not None:
+        scalars["v"] = along
     if "v" not in scalars and _is_squared_speed(texts, scope) and (speed := _only_speed(reference)) is not None:
         scalars["v"] = speed
     if states := {int(m[1]) for m in _STATE.finditer(whole)}:
@@ -173,7 +178,9 @@ def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:
         if c.configuration.slots.coordinates == sets[0]:
             rows = [[q for q, a in zip(sets[0], r.coefficients, strict=False) if a != 0] for r in c.configuration.rows]
             lengths -= {row[0] for row in rows if len(row) == 1}
-    alone = {q for s in sets for q in s if len(s) == 1 and q in lengths} or (lengths if len(lengths) == 1 else set())
+    own = lengths & {*sets[0]} if sets else set()  # of two lengths neither is the one that v and a belong to
+    single = {q for s in sets for q in s if len(s) == 1 and q in lengths and (q not in own or len(own) == 1)}
+    alone = single or (lengths if len(lengths) == 1 else set())
     return alone.pop() if len(alone) == 1 else None
 
 
@@ -219,6 +226,20 @@ def _only_speed(reference: Reference) -> sp.Expr | None:
     if len(moving) != 1 or configuration.rotations:
         return None
     return sp.sqrt(sp.Add(*(sp.expand(c**2) for c in moving[0].velocity.components)))
+
+
+def _speed_along_path(reference: Reference) -> sp.Expr | None:
+    """The speed of the only mass that moves, a particle on a path, in the sense of its only coordinate: l θ'."""
+    for c in reference.candidates:
+        slots, points = c.configuration.slots, [p for p in c.configuration.points if p.mass != 0]
+        if len(slots.coordinates) != 1 or len(points) != 1 or c.configuration.rotations:
+            continue
+        rate = slots.velocities[0]
+        squared = sp.expand(sp.Add(*(e**2 for e in points[0].velocity.components)))
+        per_rate = textbook_form(sp.cancel(squared / rate**2))
+        if not per_rate.has(rate) and not per_rate.has(t):
+            return sp.sqrt(per_rate) * rate
+    return None
 
 
 def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:

@@ -32,6 +32,7 @@ from dataclasses import dataclass, replace
 
 from lagrange.answers.limits import LONGEST_NUMBERING, MOST_LISTED, SHORTEST_WORD
 from lagrange.answers.readings import GivenEquation, Reading
+from lagrange.answers.written.expansions import ORDER
 from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices
 from lagrange.answers.written.notation.plain import cleaned, is_rate
@@ -58,6 +59,7 @@ _ORDER_TERM = re.compile(
     r"\((?:[^()=]|\([^()=]{0,20}\)){1,40}\)\s*\Z"
 )
 """What is left out in an expansion, `+ O(theta^3)`."""
+_NEGLECTED = re.compile(r"\((.*)\)\s*\Z")
 _INTEGRAL = re.compile(r"(?:∫|\\o?int(?![A-Za-z])(?:\\limits)?|(?<![A-Za-z])int(?:egral)?)\s*(?:[_^₀-₉⁰-⁹]|from\b)")
 """An integral with limits."""
 _ACCELERATION = re.compile(r"''|″|\u0308|¨|\\ddot|ddot|d\s*(?:\^\s*\{?2|²)|\\dot\s*\{?\s*\\dot")
@@ -126,7 +128,9 @@ def without_order_term(fragment: Fragment, declared: Collection[str]) -> Fragmen
     if "$" in draft.text:
         draft.replace(re.compile(r"\$"), " ")
     made = draft.finished(latex=latex)
-    about = getattr(fragment, "beside", "") + ("" if text.count("=") > 1 else " approximately")
+    neglected = _NEGLECTED.search(order[0])
+    marked = f" approximately, {ORDER.format(neglected[1])}" if neglected else " approximately"
+    about = getattr(fragment, "beside", "") + ("" if text.count("=") > 1 else marked)
     return replace(made, beside=about.strip()) if isinstance(made, OneEquation) else made
 
 
@@ -171,6 +175,41 @@ def each_equation_of_motion(fragment: Fragment) -> list[Fragment]:
     return parts if all(_ACCELERATION.search(p.text) for p in parts) else [fragment]
 
 
+_DEFINITION = re.compile(
+    r"[\s$&]*(?:\\?(?P<function>sin|cos|tan)\s*\(?\s*)?(?P<name>\\?[^\W\d_]+(?:_\w{1,4})?)\s*\)?\s*&?=(?![=>])(?P<value>[^=]+)\Z"
+)
+"""`phi = arctan(mu)`, `tan(phi) = mu`."""
+
+
+def with_definitions_in_alternatives(answer: Sequence[Fragment], declared: Collection[str]) -> list[Fragment]:
+    """`P = W tan(a - phi) or P = W tan(a + phi)` with what other lines say phi is, in its place."""
+    meant: dict[str, str] = {}
+    for f in answer:
+        match = None if isinstance(f, GivenEquation) or _ALTERNATIVES.search(f.text) else _DEFINITION.match(f.text)
+        if match is None or _spelled_name(match["name"]) in declared or match["name"].lstrip("\\") in FUNCTIONS:
+            continue
+        value = match["value"].strip(" $&.,;")
+        inverse = match["function"] and f"{chr(92) if is_latex(f) else ''}arc{match['function']}"
+        meant[match["name"]] = f"{inverse}({value})" if inverse else f"({value})"
+    if not meant:
+        return [*answer]
+    used = re.compile(
+        rf"(?<![\w\\])(?:{'|'.join(map(re.escape, sorted(meant, key=len, reverse=True)))})(?![A-Za-z0-9_])"
+    )
+    made = []
+    for f in answer:
+        draft = Draft(f)
+        stated = isinstance(f, GivenEquation) or not _ALTERNATIVES.search(f.text)
+        made.append(f if stated or not draft.replace(used, lambda m: meant[m[0]]) else finished(draft, f, is_latex(f)))
+    return made
+
+
+def _spelled_name(written: str) -> str:
+    """`phi` of `\\varphi` and of `φ`."""
+    name = "".join(GREEK.get(c, c) for c in written.lstrip("\\"))
+    return name.removeprefix("var") if written.startswith("\\") else name
+
+
 def in_place_of(fragment: Fragment, text: str) -> Fragment:
     """Another text at the place of a fragment."""
     draft = Draft(fragment)
@@ -188,6 +227,7 @@ def finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
 def with_integrals(answer: Sequence[Fragment], coordinates: Sequence[str]) -> list[Fragment]:
     """The answer with coordinates for integrals over time of their rates."""
     made = []
+    answer = [without_integrals(f) for f in answer]
     for f, text in zip(answer, integrals_over_time([f.text for f in answer], coordinates), strict=True):
         draft = Draft(f)
         draft.apply([(0, len(f.text), text)] if text != f.text else [])

@@ -132,9 +132,10 @@ def _with_definition(part: Fragment, scope: Scope, *, places: bool) -> Scope:
 
 def _label(side: Fragment, scope: Scope, declared: Collection[str], name: str) -> str:
     """The letter of a label; empty if the side is none."""
-    if name and side.text.strip(" $") == name and name not in scope.names():
+    written = side.text.strip(" $&")  # without the sign of an alignment
+    if name and written == name and name not in scope.names():
         return name
-    match = _LABEL.match(side.text)
+    match = _LABEL.match(written)
     if match is None:
         return ""
     letter = f"{match['name']}{'^2' if match['square'] else ''}"

@@ -47,8 +47,8 @@ from lagrange.answers.written.one_line import (
     is_condition,
     is_integral,
     lines_of,
+    with_definitions_in_alternatives,
     with_integrals,
-    without_integrals,
     without_prose,
     words_known,
 )
@@ -142,12 +142,13 @@ def understood(
     Raises ProblemError if it has too many lines.
     """
     if len(answer) > MAX_LINES:
-        message = f"an answer may have {MAX_LINES} lines with equations, and this one has {len(answer)}"
+        message = f"an answer may have at most {MAX_LINES} lines with equations; this one has {len(answer)}"
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving, naming)
     answer = with_primed_names(answer, reference.parameters)
-    answer = with_integrals([without_integrals(f) for f in answer], sorted(reference.coordinates))
+    answer = with_integrals(answer, sorted(reference.coordinates))
+    answer = with_definitions_in_alternatives(answer, sorting.declared)
     if moving:
         answer = [part for f in answer for part in each_equation_of_motion(f)]
     if any(has_matrix(f.text) for f in answer):

@@ -81,6 +81,11 @@ _AT_REST = re.compile(
     r"[^()+*/^]{0,60}?(?<=[=\s])0\s*\$?\)"
 )
 """A condition in parentheses after the name of a motion: `steady (\\ddot\\theta = \\dot\\theta = 0)`."""
+_FOR_ALL = re.compile(
+    r"\((?:for|at|with)\s+(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\)|"
+    r"(?<=\s)(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\s+(?:if|when|for|where|provided(?:\s+that)?)(?=\s[^=]*=)"
+)
+"""For which positions an equation between parameters holds: `(for every theta) W = c h`, `any theta if W = c h`."""
 _HALF = re.compile(r"(?<![\w\\])t(?=½\s*=)")
 _AT_PLACES = re.compile(
     r"^(?P<label>[ \t]*(?:(?:eigen)?frequenc(?:y|ies)|Frequenz(?:en)?|ω|omega|w)\s*:)"
@@ -88,6 +93,18 @@ _AT_PLACES = re.compile(
     re.IGNORECASE | re.MULTILINE,
 )
 """`frequencies: a about theta = 0; b about theta = pi`."""
+_RATE = r"\\?(?:omega|Omega|ω|Ω)(?:_\{?\w{1,3}\}?)?(?:\s*\^\s*\{?2\}?)?\s*&?="
+_AT = r"(?:at|about|around|near|for|um|bei|für)"
+_RATE_AT_IN_LINE = re.compile(
+    rf"\$(?P<rate>\s*{_RATE}[^$=]{{1,160}})\$\s*,?\s+\(?{_AT}\s+(?:the\s+(?:equilibrium|position)\s+)?"
+    r"\$(?P<place>[^$=<>]{1,40}=[^$=<>]{1,60})\$\)?"
+)
+_INSIDE = r"(?!\\\\|\\(?:text|q?quad|end|\])|[=$\n;])."
+_RATE_AT = re.compile(
+    rf"(?P<rate>{_RATE}(?:{_INSIDE}){{1,160}}?)(?:\\[,;:! ]|\\q?quad|~|\s)*\\text\{{\s*\(?{_AT}(?:\s+the\s+(?:equilibrium|position))?\s*\}}"
+    rf"(?P<place>(?:{_INSIDE}){{1,40}}=(?:{_INSIDE}){{1,60}}?)(?:\\text\{{\s*\)\s*\}}|(?<![\w}})])\))?(?=\s*(?:[,.]?\s*(?:\\\\|\\(?:text|q?quad|end|\])|[$\n;])|,|\.?\s*\Z))"
+)
+"""The place where a frequency holds, after it: `$\\omega^2 = g/R$ at $\\theta = 0$`, `\\omega = a \\text{ at } \\theta = 0`."""
 _RADIANS = re.compile(r"(?<=[0-9])(?P<unit>\s?rad)(?![A-Za-z/^])(?=[\s.,;)]|\Z)")
 """The unit of an angle after a number, which is 1."""
 _NO_NAMES = "arcsin arccos arctan ln sgn to is of and or by at in for the with so are as eq case dt"
@@ -100,11 +117,14 @@ def in_usual_signs(text: str) -> str:
     text = _NAME_OF_WORDS.sub(lambda m: f"{m['before']}{m['name']}{' ' * len(m['words'])}", text)
     text = _FUNCTION_OF_TIME.sub(lambda m: f"{m['name']}{' ' * len(m['arrow'])}", text)
     text = _AT_REST.sub(_blank, text)
+    text = _FOR_ALL.sub("", text)
     text = _HALF.sub("t_", text)
     text = _AT_PLACES.sub(lambda m: "; ".join(f"omega = {i.strip()}" for i in m["items"].split(";") if i.strip()), text)
     if "≈" in text or "approx" in text:
         text = _RADIANS.sub(lambda m: " " * len(m["unit"]), text)
     if "\\" in text:
+        text = _RATE_AT_IN_LINE.sub(lambda m: f"${m['place']}$: ${m['rate']}$", text)
+        text = _RATE_AT.sub(lambda m: rf"{m['place']} \quad {m['rate']}", text)
         text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
         text = _CONST.sub(r"\1} ", text)
         text = _UPRIGHT_D.sub(lambda m: m[1].rjust(len(m[0])), text)

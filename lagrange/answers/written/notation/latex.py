@@ -95,11 +95,28 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
     if scope.role("d") is Role.UNDECLARED:
         draft.replace(_L_DIFFERENTIAL, lambda m: _upright(m, scope))
+    draft.replace(_L_BY_TIME, lambda m: _with_dots(m, scope))
     draft.replace(_L_BEFORE_BRACKETS, lambda m: rf"\left({m[0]}\right)" if m["f"] in scope.functions else None)
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(power_groups(draft.text))
     draft.apply(products_with_numbers(draft.text))
     return draft.finished(latex=True)
+
+
+_L_BY_TIME = re.compile(
+    r"(?P<name>\\[A-Za-z]+|(?<![A-Za-z\\])[A-Za-z])(?:_\{?(?P<index>[0-9])(?:,\s*)?)?(?(index)|_)"
+    r"(?:\{\s*(?P<braced>t{1,2})\s*\}|(?P<bare>t)|(?(index)(?P<joined>t{1,2})\}|(?!)))(?![A-Za-z])"
+)
+"""A derivative by the time as an index: `\\theta_{tt}`, `x_t`, `x_{1,tt}`."""
+
+
+def _with_dots(match: re.Match[str], scope: Scope) -> str | None:
+    name = match["name"] + (f"_{match['index']}" if match["index"] else "")
+    order = len(match["braced"] or match["bare"] or match["joined"])
+    spelled = re.sub(r"[\\]", "", name)
+    if not _is_moving(name, scope) or scope.role(f"{spelled}_{'t' * order}") is not Role.UNDECLARED:
+        return None
+    return rf"\{'d' * order}ot{{{name}}}"
 
 
 def _upright(match: re.Match[str], scope: Scope) -> str | None:

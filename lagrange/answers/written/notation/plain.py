@@ -14,8 +14,8 @@ A name that the problem declares keeps its meaning. Each rule is one pass over t
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Collection, Iterator, Sequence
+from unicodedata import normalize
 
 from lagrange.answers.written.notation.numbers import units_in_si
 from lagrange.answers.written.notation.programs import as_functions
@@ -61,12 +61,14 @@ _NAMES = re.compile(rf"(?<![A-Za-z0-9_]){_NAME}")
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
 _SUFFIX = re.compile(
-    rf"(?<![A-Za-z_])(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]{{1,12}}?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]{{0,8}}?)(?:_?(?P<dots>(?:dot){{1,3}}|d{{1,3}}ot)|_(?P<short>d{{1,2}}|t{{1,2}})|(?P<joined>d{{1,2}}))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
+    rf"(?<![A-Za-z_])(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]{{1,12}}?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]{{0,8}}?)(?:_?(?P<dots>(?:dot){{1,3}}|d{{1,3}}ot)|_(?P<short>d{{1,2}}|t{{1,2}})|(?P<joined>d{{1,2}}|D{{1,2}}))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
 )
 _PREFIX = re.compile(rf"(?<![A-Za-z0-9_'])(?P<dots>dd|d2|d{{1,2}}ot_?)(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _MODULE = re.compile(r"(?<![A-Za-z0-9_.)\]])(?:np|numpy|math|sp|sym|sympy|mpmath)\.(?=[A-Za-z])")
 _BY_VELOCITY = re.compile(rf",\s*diff\(\s*({_NAME})(?:\(\s*t\s*\))?\s*,\s*t\s*\)\s*\)")
 _RATIONAL = re.compile(r"\bRational\(\s*([0-9]{1,6})\s*,\s*([0-9]{1,6})\s*\)")
+_SMALL_FRACTION = re.compile(r"(?<![\w)\]])([⁰¹²³⁴-⁹]{1,3})[⁄∕/]([₀-₉]{1,3})")
+"""A fraction of small digits, `⁴⁄₃`."""
 _ITALIC = re.compile("[\u210e\U0001d400-\U0001d7ff]+")
 _DOTS_BEFORE_INDEX = re.compile(f"(?<=[^\\W\\d_])([¨˙])([0-9{''.join(SUBSCRIPTS)}]{{1,2}})")
 _INDEXED = re.compile(
@@ -230,9 +232,10 @@ def _displaced_expressions(text: str, moving: Collection[str], scope: Scope) -> 
 def characters(draft: Draft) -> None:
     """Replace invisible operators, italic letters, spacing dots, and the quotation mark of `θ"`."""
     draft.replace(_QUOTED, "''")
+    draft.replace(_SMALL_FRACTION, lambda m: f"({normalize('NFKC', m[1])}/{normalize('NFKC', m[2])})")
     draft.replace(_DOTS_OF_WORD, lambda m: f"{m['letter']}{m['dot']}{m['index']}")
     draft.replace(_BLANK_DOTS, "")
-    draft.replace(_ITALIC, lambda m: unicodedata.normalize("NFKC", m[0]))
+    draft.replace(_ITALIC, lambda m: normalize("NFKC", m[0]))
     draft.replace(_DOTS_BEFORE_INDEX, lambda m: f"{m[2]}{_SPACED[m[1]]}")
     draft.replace(_SPACING_DOTS, lambda m: _SPACED.get(m[0], "''"))
     draft.replace(_ODD, lambda m: _INVISIBLE[m[0]])
@@ -335,8 +338,9 @@ def _with_primes(match: re.Match[str], scope: Scope) -> str | None:
     if not name or scope.role(written) is not Role.UNDECLARED:
         return None
     short = match["short"] or match["joined"]
-    if short in ("d", "t") and scope.role(short) is not Role.UNDECLARED and short == match["joined"]:
+    if short in ("d", "D", "t") and scope.role(short) is not Role.UNDECLARED and short == match["joined"]:
         return None  # a product
+    short = short and short.lower()
     dots = match["dots"] or ""
     order = len(short) if short else dots.count("dot") if dots.startswith("dot") else len(dots) - 2
     for candidate in (name + index, f"{name}_{index}" if index else name):
