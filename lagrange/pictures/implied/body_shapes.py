@@ -136,7 +136,7 @@ def _unknown(system: SystemPicture, p: MassPoint, rotation: Rotation, called: st
     if _REEL.search(called) and (radius is not None or touching):
         axle = touching if radius is None else radius
         inner_ = radius is not None or _is_on_string(system, p.name)
-        return BodyShape(Outline.DISC, (sp.sympify(axle * _RIM if inner_ else axle),))
+        return BodyShape(Outline.DISC, (sp.sympify(axle * _RIM if inner_ else axle, strict=True),))
     if radius is not None:
         return BodyShape(Outline.DISC, (radius,))
     rubbed = _rubbed(system, p)
