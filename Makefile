@@ -1,4 +1,4 @@
-# Two targets are enough: `make demo` and `make test`; both make .venv first. `make test-half` is what .ci/run calls.
+# Two targets are enough: `make demo` and `make test`; both make .venv first.
 VENV := .venv
 BIN := $(VENV)/bin
 NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
@@ -10,7 +10,7 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 p
 # Where it is set, every child process of the tests would compile all modules again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-half test-all part-of-tests half-of-tests all-tests lint sweep bench golden picture figures gallery site lock man clean
+.PHONY: demo test test-all part-of-tests all-tests lint sweep bench golden picture figures gallery site lock man clean
 
 $(VENV)/made: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -46,8 +46,10 @@ demo: $(VENV)/python
 	@echo "                                      what is wrong with these equations?"
 	@echo "README.md goes on from there."
 
-# The slow tests that `make test` runs: a fortieth of them, another one every day; `make test PART=3` says which.
+# The slow tests that `make test` runs: a fortieth of them, another one every day; `make test PART=3` says which, and
+# `make test PART=1 PARTS=3`, as in .ci/run, takes a third of them and of the shipped problems.
 PART ?= today
+PARTS ?= 40
 PYTEST = $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
 # mypy uses one processor for half a minute, and the tests all of them: they run at the same time.
 BESIDE = @$(MAKE) --no-print-directory --jobs=2 lint
@@ -55,19 +57,12 @@ BESIDE = @$(MAKE) --no-print-directory --jobs=2 lint
 test: $(VENV)/installed
 	$(BESIDE) part-of-tests
 
-# Half of the slow tests and of the shipped problems, in every format: PART=0 or 1. What .ci/run calls.
-test-half: $(VENV)/installed
-	$(BESIDE) half-of-tests
-
 # All tests.
 test-all: $(VENV)/installed
 	$(BESIDE) all-tests
 
 part-of-tests: $(VENV)/installed
-	$(PYTEST) --part $(PART)
-
-half-of-tests: $(VENV)/installed
-	$(PYTEST) --part $(PART) --parts 2
+	$(PYTEST) --part $(PART) --parts $(PARTS)
 
 all-tests: $(VENV)/installed
 	$(PYTEST)

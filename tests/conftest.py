@@ -54,7 +54,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         metavar="N",
         help="of the tests marked `truth`, `process` or `slow`, run part N, modulo `--parts`, only, or that of `today`; of "
         f"those of every shipped problem part N modulo {QUARTERS}; "
-        f"Hypothesis tries at most {QUICK} examples, save in two parts",
+        f"of more than {QUARTERS} parts Hypothesis tries at most {QUICK} examples",
     )
     parser.addoption("--parts", metavar="N", type=int, default=PARTS, help=f"how many parts there are ({PARTS})")
 
@@ -77,7 +77,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if parts < 2:
         raise pytest.UsageError(f"--parts is at least 2, not {parts}")
     config.option.part = str(int(said) % parts)  # so that processes that begin after midnight take the same
-    if parts > 2:
+    if parts > QUARTERS:
         settings.load_profile("quick")
 
 

@@ -92,7 +92,7 @@ def _blocks(elements: Elements) -> None:
         if is_block:
             elements.boxed.add(p.name)
             _block(elements, p, blocks.surface(p), way, down)
-        if way is not None and blocks.is_carried(way) and not any(blocks.same(way, other) for other in grounds):
+        if way is not None and blocks.is_carried(way, p) and not any(blocks.same(way, other) for other in grounds):
             grounds.append(way)
             side = left_of(scaled(way.up, -1.0))
             foot = scaled(way.up, -HIGH / 2 if is_block else 0.0)

@@ -91,7 +91,7 @@ def compared_answer(answer: Sequence[Fragment], reference: Reference) -> Compare
             Diagnostic("no-answer", "there is no equation to check", help="give equations with -e, or in a file")
         )
     if len(answer) > MAX_EQUATIONS:
-        message = f"an answer may have {MAX_EQUATIONS} equations, and this one has {len(answer)}"
+        message = f"an answer may have at most {MAX_EQUATIONS} equations; this one has {len(answer)}"
         help_ = "leave out those that follow from the others"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole, help=help_))
     readings = [read_answer(f, reference.scope) for f in answer]
@@ -413,7 +413,8 @@ def _with_reasons(
             force = one_sense(equation, system) if wanted and model is None else ""
             change = None if force else change
             if wanted and model is None and not force:
-                force = explained_force(equation, attempt.candidate, reference)
+                unknown = two is None and (change is None or change.slip is None)
+                force = explained_force(equation, attempt.candidate, reference, moving=unknown)
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
@@ -549,8 +550,7 @@ def _convention(attempt: _Attempt) -> Convention | None:
 
 def _has_one_equation(system: System) -> bool:
     """Whether one equation of motion is asked for."""
-    configuration = system.configuration
-    return len(configuration.slots.coordinates) - len(configuration.rows) == 1
+    return len(system.configuration.slots.coordinates) - len(system.configuration.rows) == 1
 
 
 def _remark(condition: NonzeroCondition) -> str:

@@ -173,7 +173,7 @@ def _check_size(fragment: Fragment) -> None:
         (text.count("\n"), MAX_FILE_LINES, "lines"),
     ):
         if number > most:
-            message = f"a file may have {most:,} {what}, and this one has {number:,}"
+            message = f"a file may have {most:,} {what}; this one has {number:,}"
             help_ = "hand in the equations asked for, and not everything that was computed"
             raise ProblemError(Diagnostic("too-many-equations", message, fragment.span(0, 20), help=help_))
 

@@ -209,6 +209,11 @@ def _label(asked: Asked, what: str, number: int) -> str:
 
 def _found(i: UsedIntegral) -> Iterator[Block]:
     """How an integral of one equation of motion is found."""
+    if i.kind is IntegralKind.CENTRE:
+        yield prose(
+            math(i.equation, sp.S.Zero), " throughout the motion, so that ", math(i.expression), " is constant."
+        )
+        return
     assert i.coordinate is not None
     q, v = i.coordinate, sp.Symbol(f"{i.coordinate.name}'", real=True)
     a = sp.Symbol(f"{i.coordinate.name}''", real=True)
@@ -251,7 +256,7 @@ def _as_modulus(v: sp.Expr, sign: int) -> tuple[sp.Expr, int]:
 def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr], quantity: sp.Expr) -> Iterator[Block]:
     """The velocity, and between which places its inverse is integrated; for a distance q q'/q'' over q'."""
     q, speed, start, end = integrand
-    v = sp.Symbol(f"{q}'", real=True)
+    v = sp.Add(*(q.diff(s) * prime(s) for s in q.free_symbols)) if q.is_Add else sp.Symbol(f"{q}'", real=True)
     yield prose("This gives")
     yield display(Equation((v, speed)))
     if quantity != t:

@@ -379,7 +379,7 @@ def _open_senses(problem: Problem, configuration: Configuration) -> Iterator[Dia
     spans = {f.name: f.span for f in problem.forces}
     for s in configuration.springs:
         if s.distance.has(sp.Abs) and s.length != 0:
-            message = f"the spring `{s.name}` may lie to either side of its first end, and the equations have a sgn"
+            message = f"the spring `{s.name}` may lie on either side of its first end, so the equations contain sgn"
             help_ = "`sense: positive` (or `negative`) says on which side of the first end the second one is"
             yield Diagnostic("spring-sense", message, spans[s.name], help=help_).as_note()
 
@@ -396,6 +396,6 @@ def _in_radians(problem: Problem, configuration: Configuration) -> Iterator[Diag
     outside = {s for e in written for s in e.xreplace({w: sp.Dummy() for w in arguments}).free_symbols}
     for p in large:
         if p.symbol not in outside and any(w.args[0] == p.symbol for w in arguments):
-            message = f"the angle `{p.symbol.name}` is {p.value} radians: a bare number is in units of SI"
+            message = f"the angle `{p.symbol.name}` is {p.value} radians: an angle without a unit is in radians"
             help_ = f"if degrees are meant, write `{p.symbol.name}: {p.value} deg`"
             yield Diagnostic("angle-in-radians", message, p.value_span, help=help_).as_note()

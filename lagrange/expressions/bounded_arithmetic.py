@@ -356,7 +356,7 @@ class BoundedArithmetic:
         if any(abs(n) > MAX_EXPONENT or n.q > MAX_DENOMINATOR for n in numbers) or (
             constant and abs(self._constants.value(exponent)) > MAX_EXPONENT
         ):
-            raise _exponent_too_large(f"numbers in an exponent may be up to {MAX_EXPONENT}")
+            raise _exponent_too_large(f"a number in an exponent may be at most {MAX_EXPONENT}")
 
     def _spend(self, units: float) -> None:
         self._spent += units

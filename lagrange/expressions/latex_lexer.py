@@ -85,7 +85,7 @@ class LatexLexer:
         """Read one factor, or one operator."""
         self._depth += 1
         if self._depth > MAX_NESTING + 1:
-            message, at = f"this nests deeper than {MAX_NESTING}", self.scanner.at
+            message, at = f"this is nested more than {MAX_NESTING} deep", self.scanner.at
             raise self.scanner.error("nested-too-deep", message, at, at + 1, "introduce abbreviations")
         self._factor()
         self._depth -= 1

@@ -74,7 +74,7 @@ class Scanner:
             elif char == "{":
                 opened.append(at)
                 if len(opened) > MAX_NESTING:
-                    message = f"this nests deeper than {MAX_NESTING}"
+                    message = f"this is nested more than {MAX_NESTING} deep"
                     raise self.error("nested-too-deep", message, at, at + 1, "introduce abbreviations")
             elif char == "}":
                 if not opened:

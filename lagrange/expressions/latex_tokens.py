@@ -18,7 +18,7 @@ from lagrange.core.records import record
 from lagrange.expressions.characters import DOT, GREEK, SUPERSCRIPTS
 from lagrange.expressions.latex_names import ACCENTS, LETTERS, SIZES, VECTORS, WORDS, LatexNames, spellings
 from lagrange.expressions.latex_scanner import Scanner, Scripts
-from lagrange.expressions.limits import MAX_DIGITS
+from lagrange.expressions.limits import MAX_DIGITS, MAX_POWER_OF_TEN
 from lagrange.expressions.scope import UNITS, Scope
 from lagrange.expressions.syntax_tree import FUNCTIONS, Role
 from lagrange.expressions.tokens import Token, TokenKind
@@ -414,8 +414,9 @@ class AtomReader:
         if scanner.looking_at("."):
             help_ = "decimal points occur in numbers only; a product is written `\\cdot`"
             raise scanner.error("bad-number", "a number has one decimal point", scanner.at, scanner.at + 1, help_)
-        if len(integer) + len(decimals) + places > MAX_DIGITS:
-            message, help_ = f"a number may have {MAX_DIGITS} digits", "round it, or declare a parameter instead"
+        if len(integer) + len(decimals) > MAX_DIGITS or places > MAX_POWER_OF_TEN:
+            message = f"a number may have at most {MAX_DIGITS} digits, and a power of ten up to {MAX_POWER_OF_TEN}"
+            help_ = "round it, or declare a parameter instead"
             raise scanner.error("number-too-long", message, start, scanner.at, help_)
         text = f"{integer or '0'}{'.' + decimals if decimals else ''}{exponent}"
         self.tokens.add(TokenKind.NUMBER, text, start, scanner.at)

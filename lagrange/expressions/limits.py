@@ -18,7 +18,10 @@ MAX_NESTING = 60
 60 levels stay within Python's limit of 1,000 frames, so that `((((...` is refused at its place. In use: 4."""
 
 MAX_DIGITS = 30
-"""Digits of a number, those of its power of ten included: `1e999999` would be a million digits. In use: 2."""
+"""Digits of a number as it is written. In use: 2."""
+
+MAX_POWER_OF_TEN = 40
+"""The power of ten behind a number: `1e999999` would be a million digits; the mass of the electron has e-31."""
 
 MAX_EXPONENT = 20
 """Numbers in an exponent: stops `9**9**9` and `theta''^(10^10)` before SymPy multiplies anything out. In use: 3."""
@@ -60,7 +63,7 @@ MAX_TERMS_OF_PRODUCTS = 100_000_000
 front wheel of a bicycle has five, and which the derivation leaves as they are."""
 
 MAX_BITS = 4_400
-"""Bits of an integer: 30 digits to the power 40, the largest that the limits above admit, has 3,987. In use: 6."""
+"""Bits of an integer: 30 digits to the power 40 have 3,987. In use: 6."""
 
 MAX_DENOMINATOR = 1_000
 """Denominator of a rational exponent: `x^0.333`, with three decimals, is a thousandth root. In use: 2."""

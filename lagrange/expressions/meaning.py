@@ -161,7 +161,7 @@ class TextMeaning:
         if self._nested_exponent(tree) > MAX_NESTED_EXPONENT:
             message = f"nested exponents multiply to more than {MAX_NESTED_EXPONENT}"
             if isinstance(tree.exponent, NumberLiteral) and sp.Rational(tree.exponent.text) > MAX_EXPONENT:
-                message = f"numbers in an exponent may be up to {MAX_EXPONENT}"
+                message = f"a number in an exponent may be at most {MAX_EXPONENT}"
             raise self.report.error("exponent-too-large", message, tree, "is this the intended power?")
         if self.is_vector(tree.base):
             help_ = "write `dot(a, a)` for its square"
@@ -258,7 +258,7 @@ class TextMeaning:
         given = len(call.arguments)
         if given != expected:
             arguments = "1 argument" if expected == 1 else f"{expected} arguments"
-            message = f"`{call.name}` takes {arguments}, and {given} {'is' if given == 1 else 'are'} given"
+            message = f"`{call.name}` takes {arguments}, but {given} {'is' if given == 1 else 'are'} given"
             raise self.report.error("number-of-arguments", message, call, help_)
 
     # -- derivatives -----------------------------------------------------------------------------------------

@@ -514,7 +514,7 @@ class Parser:
     def _enter(self, token: Token) -> None:
         self._depth += 1
         if self._depth > MAX_NESTING:
-            message = f"this nests deeper than {MAX_NESTING}"
+            message = f"this is nested more than {MAX_NESTING} deep"
             raise self._error("nested-too-deep", message, token, "introduce abbreviations")
 
     # -- tokens ----------------------------------------------------------------------------------------------

@@ -264,7 +264,7 @@ class _Reading:
 def _check_length(fragment: Fragment, limit: int) -> None:
     length = len(fragment.text)
     if length > limit:
-        message = f"an expression may have {limit:,} characters, and this one has {length:,}"
+        message = f"an expression may have at most {limit:,} characters; this one has {length:,}"
         help_ = "write it shorter, or with abbreviations where there is a `let:`"
         raise ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
 

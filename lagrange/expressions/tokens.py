@@ -24,7 +24,7 @@ from lagrange.expressions.characters import (
     normalized,
     suggestion_for_character,
 )
-from lagrange.expressions.limits import MAX_DIGITS
+from lagrange.expressions.limits import MAX_DIGITS, MAX_POWER_OF_TEN
 
 
 class TokenKind(Enum):
@@ -159,11 +159,11 @@ class _Lexer:
         if self.scientific and (power := _POWER_OF_TEN.match(self.text, self.at)):
             self.at = power.end()
             exponent = f"e{power[1].strip('+')}{power[2]}"
-            places = int(power[2]) if len(power[2]) <= 4 else MAX_DIGITS
+            places = int(power[2]) if len(power[2]) <= 4 else MAX_POWER_OF_TEN + 1
         if self.text.startswith(".", self.at):
             help_ = "a component of a vector is `dot(a, i)`; decimal points occur in numbers only"
             raise self._error("bad-number", "a number has one decimal point", self.at, self.at + 1, help_)
-        if len(integer) + len(decimals) + places > MAX_DIGITS:
+        if len(integer) + len(decimals) > MAX_DIGITS or places > MAX_POWER_OF_TEN:
             raise self._too_long(start)
         self._add(TokenKind.NUMBER, f"{integer or '0'}{'.' + decimals if decimals else ''}{exponent}", start)
 
@@ -216,7 +216,7 @@ class _Lexer:
 
     def _too_long(self, start: int) -> ProblemError:
         message, help_ = (
-            f"a number may have {MAX_DIGITS} digits",
+            f"a number may have at most {MAX_DIGITS} digits, and a power of ten up to {MAX_POWER_OF_TEN}",
             "round it, or declare a parameter instead",
         )
         return self._error("number-too-long", message, start, self.at, help_)

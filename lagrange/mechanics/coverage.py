@@ -68,7 +68,7 @@ def refuse_what_is_not_covered(problem: Problem) -> None:
     if belts and {Find.MOTION, Find.LINEARIZATION} & {*problem.find}:
         raise NotCoveredError(f"a belt on a rough drum, `{belts[0].name}`, in motion", belts[0].span)
     if Find.IMPENDING in problem.find and not any(isinstance(f, Friction | Belt) for f in problem.forces):
-        message = "impending motion is asked for, and no friction is given"
+        message = "impending motion is asked for, but no friction is given"
         help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
         raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
     if problem.equations:

@@ -29,15 +29,20 @@ from lagrange.pictures.floats import NoValueError, inner
 from lagrange.pictures.inferred import CORNER, rail
 from lagrange.pictures.limits import LEAST_SLOPE, SAME_ON_PAGE, SAME_SHAPE, SLOPE_ARC, STEEPEST_SLOPE
 from lagrange.pictures.poses import is_distance
-from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, scaled, toward
+from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, lies_on, scaled, toward
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.keys import Outline
 
-_BLOCK = r"block|cart|car|carriage|trolley|slider|piston|crate|box|wagon|truck|sledge|collar|sleeve|carrier"
+_VEHICLES = r"cart|car|carriage|trolley|wagon|truck|lorry|bus|train|locomotive|tram|sledge|sled"
+_BOATS = r"boat|ship|barge|canoe|punt"
+_BLOCK = rf"block|{_VEHICLES}|{_BOATS}|slider|piston|crate|box|collar|sleeve|carrier"
 _WORD = re.compile(rf"\b({_BLOCK})\b", re.IGNORECASE)
 _SEVERAL = re.compile(rf"\b({_BLOCK}|boxe)s\b", re.IGNORECASE)
+_VEHICLE, _BOAT = (re.compile(rf"\b({words})\b", re.IGNORECASE) for words in (_VEHICLES, _BOATS))
+_BOARD = re.compile(r"\b(plank|board|slab|raft|tray|platform|carpet|mat)\b", re.IGNORECASE)
+_QUARTER = re.compile(r"\bquarter", re.IGNORECASE)
 _GROUND = re.compile(
-    r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder)s?\b|horizontal(ly)?\b.*\b(line|surface)",
+    r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder|ice|road)s?\b|horizontal(ly)?\b.*\b(line|surface)",
     re.IGNORECASE,
 )
 FLOOR = re.compile(r"\b(floor|ground|table)s?\b", re.IGNORECASE)
@@ -46,6 +51,8 @@ _HANGING = re.compile(r"\bhang|suspended|pendulum", re.IGNORECASE)
 WALL = re.compile(r"\bwalls?\b", re.IGNORECASE)
 WIDE, HIGH = 0.62, 0.42
 """Width and height of a block, in centimetres."""
+BOARD = 0.16
+"""Thickness of a board."""
 
 
 @record
@@ -72,6 +79,10 @@ class Blocks:
     corners  where strings bend around a pulley at the edge of something, with the centre of the pulley
     half     half the width of each box along its way, by particle
     on_wedge the face on which a particle slides, by particle; None for a wedge itself
+    boards   the middle of each board under others, by particle
+    tops     the upper sides of the boards
+    on_board how high the top of the board is on which a particle slides, by particle
+    cut      a block in which another particle slides on a circle, and that particle
     """
 
     def __init__(
@@ -90,23 +101,36 @@ class Blocks:
         self.half: dict[str, float] = {}
         self.carried: list[tuple[Way, float]] = []
         self.on_wedge: dict[str, Way | None] = {}
+        self.boards: dict[str, PagePoint] = {}
+        self.on_board: dict[str, float] = {}
+        self.tops: list[tuple[PagePoint, PagePoint]] = []
+        self.cut: set[str] = set()
+        self.ridges: list[PagePoint] = []
 
     def boxes(self) -> None:
         """Draw wedges and blocks, and record which of them the ground carries."""
         if not (self.system.is_bare and self.system.view.planar):
             return
         self.wedges()
+        self.cuts()
+        kept_on = [way for p in self.particles() if (way := self.surface(p)) is not None]
+        self.ridges += [at for at, _ in self.corners if sum(self.is_on(way, at) for way in kept_on) > 1]
         ways = {p.name: way for p in self.particles() if (way := self.way(p)) is not None}
         stacked = self.stacks({p.name: ways[p.name] for p in self.particles() if p.name in ways and self.is_block(p)})
+        self.planks(ways)
         for p in self.particles():
             way = ways.get(p.name)
+            if p.name in self.boards or p.name in self.cut:
+                continue
             if self.is_block(p):
                 self.block(p, way, stacked.get(p.name))
             if p.name in stacked.values():
                 continue
-            if way is not None and p.name not in self.on_wedge and self.is_carried(way):
+            if p.name in self.on_board:
+                continue
+            if way is not None and p.name not in self.on_wedge and self.is_carried(way, p):
                 self.carried.append((way, self.height(p) / 2 if p.name in self.half else 0.0))
-        self.carried += [*self.wheels(), *self.feet()]
+        self.carried += [*self.wheels(), *self.feet(), *self.ends_of_rods()]
 
     def stacks(self, ways: Mapping[str, Way]) -> dict[str, str]:
         """The block on top of another one that moves on a parallel line, by the block below."""
@@ -118,35 +142,137 @@ class Blocks:
                 found.setdefault(lower, upper)
         return found
 
+    def planks(self, ways: Mapping[str, Way]) -> None:
+        """Boards on which others move along the same line: under these, or on the ground on which they are kept."""
+        for p in self.particles():
+            kept = self.surface(p) is not None
+            way = self.surface(p) or ways.get(p.name)
+            is_board = _BOARD.search(p.name.replace("_", " "))
+            upon = {name for r in self.system.newton.reactions for name in r.acts_on
+                    if r.constraint.side is not None and len(r.acts_on) == 2 and p.name in r.acts_on}  # fmt: skip
+            if way is None or way.is_upright or not (is_board or (kept and upon and self.is_block(p))):
+                continue
+            page, pose = self.system.page, self.system.pose
+            near = {q.name: page(pose.at(q.position)) for q in self.particles() if q.name != p.name}
+            riders = {name: at for name, at in near.items() if self.is_on(way, at) and (is_board or name in upon)}
+            rolling = dict(self.rolling_on(way)) if is_board else {}
+            riders |= rolling
+            if not riders:
+                continue
+            boxes = any(self.is_block(q) for q in self.particles() if q.name in riders)
+            thick = BOARD if is_board else HIGH
+            top = thick if kept else 0.0 if rolling else -HIGH / 2 if boxes else -PARTICLE
+            self.on_board |= dict.fromkeys(riders, top if kept else 0.0)
+            places = [inner(at, way.along) - inner(way.at, way.along) for at in riders.values()]
+            start, end = min([*places, 0.0]) - 0.8, max([*places, 0.0]) + 0.8
+            corners = [beyond(beyond(way.at, way.along, x), way.up, y) for x, y in
+                       ((start, top), (end, top), (end, top - thick), (start, top - thick))]  # fmt: skip
+            self.sketch.face(corners, 2, -1.0)
+            self.tops.append((corners[0], corners[1]))
+            self.boards[p.name] = beyond(beyond(way.at, way.along, (start + end) / 2), way.up, top - thick / 2)
+            if not kept and self.is_carried(way, p):
+                self.carried += [
+                    (Way(beyond(way.at, way.along, x), way.along, way.up), thick - top) for x in (start, end)
+                ]
+
+    def rolling_on(self, way: Way) -> Iterator[tuple[str, PagePoint]]:
+        """The round bodies whose lowest points are on a line, with these."""
+        page, pose = self.system.page, self.system.pose
+        for p in self.system.configuration.points:
+            shape, known = self.system.problem.figure.shapes.get(p.name), self.system.shapes.get(p.name)
+            round_ = shape is not None and shape.kind in (Outline.DISC, Outline.RING, Outline.SPHERE)
+            radius = abs(self.system.number(shape.lengths[0])) if round_ and shape else known.radius if known else 0.0
+            at = beyond(page(pose.at(p.position)), way.up, -radius * page.scale)
+            if radius and self.is_on(way, at):
+                yield p.name, at
+
+    def cuts(self) -> None:
+        """Blocks with a round hollow or hump on which another particle slides: a constant distance, by no rod."""
+        for first, second, kept in self.system.kept_distances:
+            if not kept or not self.system.is_surface_between(first, second):
+                continue
+            points = {p.name: p for p in self.particles()}
+            if {first, second} - {*points}:
+                continue
+            moving = {*self.system.pose.coordinates}
+            base, rider = sorted(
+                (first, second), key=lambda n: len(points[n].position.fixed().as_sum().free_symbols & moving)
+            )
+            centre, at = (self.system.page(self.system.pose.at(points[n].position)) for n in (base, rider))
+            radius, way = apart(centre, at), toward(centre, at)
+            side = scaled(left_of(self.down), math.copysign(1.0, inner(way, left_of(self.down)) or 1.0))
+
+            def place(x: float, y: float, c: PagePoint = centre, s: PagePoint = side) -> PagePoint:
+                return beyond(beyond(c, s, x), self.down, y)
+
+            half = math.pi / 2
+            if inner(way, self.down) > 0:
+                low = 0.0 if _QUARTER.search(self.system.text) else -half
+                arc = [
+                    place(radius * math.sin(a), radius * math.cos(a))
+                    for a in (half - (half - low) * n / 32 for n in range(33))
+                ]
+                deep, wide = radius + 0.45, radius + 0.5
+                rest = [place(-0.7, radius)] if low == 0 else [place(-wide, 0.0)]
+                corners = [place(wide, deep), place(wide, 0.0), *arc, *rest, place(-0.7 if low == 0 else -wide, deep)]
+            else:
+                deep, wide = 0.0, radius
+                corners = [
+                    place(radius * math.sin(a), -radius * math.cos(a))
+                    for a in (half - math.pi * n / 48 for n in range(49))
+                ]
+            self.sketch.face(corners, 2, -2.0)
+            rail(self.sketch, place(0.0, deep), self.down, wide + 0.7)
+            self.cut |= {base, rider}
+
     def wedges(self) -> None:
-        """Wedges: particles called so, on whose sloping face another one slides by a coordinate of its own."""
-        pose, page = self.system.pose, self.system.page
-        side = left_of(self.down)
+        """Wedges: particles called so, on whose sloping faces others slide, each by a coordinate of its own."""
         for wedge in [p for p in self.particles() if "wedge" in p.name]:
             level = self.way(wedge)
+            faces: list[tuple[str, PagePoint, PagePoint, PagePoint]] = []
             for rider in [p for p in self.particles() if p.name != wedge.name and p.mass != 0]:
-                relative = rider.position.fixed() - wedge.position.fixed()
-                moving = [q for q in pose.coordinates if not relative.partial(q).is_zero]
                 with suppress(NoValueError):
-                    if level is None or len(moving) != 1 or not is_distance(pose, moving[0], relative):
-                        continue
-                    [q] = moving
-                    at, top = page(pose.at(rider.position)), page(pose.moved(q, -pose.values[q]).at(rider.position))
-                    along = toward(top, at)
-                    if inner(along, self.down) < 0:
-                        along, top = scaled(along, -1.0), beyond(at, along, 0.9)
-                    if not 0.1 < inner(along, self.down) < 0.95:
-                        continue
-                    floor = inner(page(pose.at(wedge.position)), self.down) - inner(top, self.down)
-                    length, whole = apart(top, at), floor / inner(along, self.down)
-                    toe = beyond(top, along, whole if whole > length + 0.5 * WIDE else length + 1.2)
-                    up = left_of(along)
-                    up = up if inner(up, self.down) < 0 else scaled(up, -1.0)
-                    heel = beyond(top, self.down, inner((toe[0] - top[0], toe[1] - top[1]), self.down))
-                    self.sketch.face([top, toe, heel], 2, -2.0)
-                    foot = ((toe[0] + heel[0]) / 2, (toe[1] + heel[1]) / 2)
-                    rail(self.sketch, foot, self.down, abs(inner((toe[0] - heel[0], toe[1] - heel[1]), side)) / 2 + 0.7)
-                    self.on_wedge |= {wedge.name: None, rider.name: Way(at, along, up)}
+                    found = None if level is None else self.face_under(wedge, rider)
+                    faces += [] if found is None else [(rider.name, *found)]
+            if faces:
+                self.wedge(wedge, faces)
+
+    def face_under(self, wedge: MassPoint, rider: MassPoint) -> tuple[PagePoint, PagePoint, PagePoint] | None:
+        """Where a particle is on a wedge, where its coordinate begins, and the direction down the face."""
+        pose, page = self.system.pose, self.system.page
+        relative = rider.position.fixed() - wedge.position.fixed()
+        moving = [q for q in pose.coordinates if not relative.partial(q).is_zero]
+        if len(moving) != 1 or not is_distance(pose, moving[0], relative):
+            return None
+        [q] = moving
+        at, top = page(pose.at(rider.position)), page(pose.moved(q, -pose.values[q]).at(rider.position))
+        along = toward(top, at)
+        if inner(along, self.down) < 0:
+            along, top = scaled(along, -1.0), beyond(at, along, 0.9)
+        return (at, top, along) if 0.1 < inner(along, self.down) < 0.95 else None
+
+    def wedge(self, wedge: MassPoint, faces: Sequence[tuple[str, PagePoint, PagePoint, PagePoint]]) -> None:
+        """A wedge with one face and an upright back, or with two faces that meet at its ridge, and the ground."""
+        level, side = self.system.page(self.system.pose.at(wedge.position)), left_of(self.down)
+        ridge = faces[0][2]
+        joined = [f for f in faces if apart(f[2], ridge) < 0.05]
+        two = len(joined) > 1 and inner(joined[0][3], side) * inner(joined[1][3], side) < 0
+        deep = inner(level, self.down) - inner(ridge, self.down)
+        needed = max((apart(top, at) + 0.5 * WIDE) * inner(along, self.down) for _, at, top, along in joined)
+        if deep <= needed:
+            deep = max((apart(top, at) + 1.2) * inner(along, self.down) for _, at, top, along in joined)
+        toes = [
+            beyond(ridge, along, deep / inner(along, self.down)) for _, _, _, along in (joined if two else joined[:1])
+        ]
+        heel = toes[1] if two else beyond(ridge, self.down, deep)
+        self.sketch.face([ridge, toes[0], heel], 2, -2.0)
+        foot, wide = ((toes[0][0] + heel[0]) / 2, (toes[0][1] + heel[1]) / 2), apart(toes[0], heel)
+        rail(self.sketch, foot, self.down, wide / 2 + 0.7)
+        self.ridges += [ridge] if two else []
+        self.on_wedge[wedge.name] = None
+        for name, at, _, along in joined:
+            up = left_of(along)
+            self.on_wedge[name] = Way(at, along, up if inner(up, self.down) < 0 else scaled(up, -1.0))
 
     def wheels(self) -> Iterator[tuple[Way, float]]:
         """The ways of round bodies that roll, on no support that the reactions show, with their radii."""
@@ -172,6 +298,21 @@ class Blocks:
             stays = max(levels) - min(levels) < SAME_ON_PAGE and lowest - levels[0] < SAME_ON_PAGE
             if stays and max(apart(way[0], at) for at in way) > SAME_ON_PAGE and not self.system.reactions_on(name):
                 yield Way(way[0], left_of(self.down), scaled(self.down, -1.0)), 0.0
+
+    def ends_of_rods(self) -> Iterator[tuple[Way, float]]:
+        """Where an end of a rod slides that coordinates alone keep on a floor or at a wall, if the text has both."""
+        page, text = self.system.page, self.system.text
+        for name, shape in self.system.problem.figure.shapes.items():
+            if not shape.ends or self.system.reactions_on(name) or not (WALL.search(text) and FLOOR.search(text)):
+                continue
+            for end in shape.ends:
+                poses = (self.system.pose, *self.system.pose.others)
+                places = [page(x.at(end)) for x in poses]
+                reach = [max(abs(at[n] - places[0][n]) for at in places) for n in (0, 1)]
+                if min(reach) < SAME_ON_PAGE < max(reach):
+                    along = (0.0, 1.0) if reach[0] < SAME_ON_PAGE else (1.0, 0.0)
+                    side = left_of(along)
+                    yield Way(places[0], along, side if inner(side, self.down) <= 0 else scaled(side, -1.0)), 0.0
 
     def particles(self) -> Iterator[MassPoint]:
         """The particles, and the bodies that do not turn: a cart may be either."""
@@ -219,19 +360,22 @@ class Blocks:
         """Whether the text calls a particle a block."""
         name = p.name.replace("_", " ")
         text = f"{self.system.problem.title} {self.system.problem.description}"
-        weighed = re.search(rf"\b({_BLOCK})s? of mass \$?{re.escape(str(p.mass))}\b", text, re.IGNORECASE)
-        called = weighed or re.search(rf"\b({_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text, re.IGNORECASE)
-        others = [q for q in self.particles() if q.mass != 0]
+        weighed = re.search(rf"\b(?i:{_BLOCK})s? of mass \$?{re.escape(str(p.mass))}\b", text)
+        called = weighed or re.search(rf"\b(?i:{_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text)
+        weightless = all(q.mass == 0 for q in self.system.configuration.points)  # at rest: weights are forces
+        others = [q for q in self.particles() if q.mass != 0 or weightless]
         return (
-            p.mass != 0
+            (p.mass != 0 or weightless)
             and "wedge" not in name
             and bool(_WORD.search(name) or called or _SEVERAL.search(text) or (len(others) == 1 and _WORD.search(text)))
         )
 
-    def is_carried(self, way: Way) -> bool:
-        """Whether the text says that something carries what moves on a line."""
+    def is_carried(self, way: Way, p: MassPoint) -> bool:
+        """Whether the text says that something carries what moves on a line, or a vehicle stands on it."""
         if way.is_upright:
             return bool(WALL.search(self.system.text))
+        if self.is_block(p) and _VEHICLE.search(p.name.replace("_", " ")):
+            return True
         return bool(_GROUND.search(_IN_PLANE.sub("", self.system.text)))
 
     def height(self, p: MassPoint) -> float:
@@ -241,7 +385,7 @@ class Blocks:
 
     def block(self, p: MassPoint, way: Way | None, carries: str | None) -> None:
         """A box: on the ground, on a plane that is drawn, or around its particle; up to a block that it carries."""
-        kept = self.on_wedge.get(p.name) or self.surface(p)
+        kept = self.on_wedge.get(p.name) or self.surface(p) or self.along_bar(p)
         on = kept or way
         at = self.system.page(self.system.pose.at(p.position))
         hangs = on is None or (kept is None and way is not None and way.is_upright)
@@ -249,6 +393,10 @@ class Blocks:
         side = left_of(up)
         height = self.height(p)
         low, high = (0.0, height) if kept is not None else (-height / 2, height / 2)
+        if self.on_board.get(p.name):
+            low, high = self.on_board[p.name], self.on_board[p.name] + height
+        elif kept is not None and self.along_bar(p) is not None:
+            low, high = -height / 2, height / 2
         left, right = WIDE / 2, -WIDE / 2
         if carries is not None and on is not None:
             position = next(q.position for q in self.particles() if q.name == carries)
@@ -258,9 +406,24 @@ class Blocks:
             left, right = max(reach, 0.0) + WIDE, min(reach, 0.0) - WIDE
             self.carried += [(Way(beyond(at, side, x), on.along, on.up), height / 2) for x in (left, right)]
         corners = ((left, low), (right, low), (right, high), (left, high))
+        if _BOAT.search(p.name.replace("_", " ")):
+            corners = ((0.6 * left, low), (0.6 * right, low), (1.4 * right, high), (1.4 * left, high))
         self.sketch.face([beyond(beyond(at, side, x), up, y) for x, y in corners], 2, -1.0)
         if kept is None:
             self.half[p.name] = height / 2 if hangs else WIDE / 2
+
+    def along_bar(self, p: MassPoint) -> Way | None:
+        """The line of the rod body on which a collar sits."""
+        at = self.system.page(self.system.pose.at(p.position))
+        for shape in self.system.problem.figure.shapes.values():
+            if shape.kind is not Outline.ROD or re.search(r"\b(collar|sleeve|slider|ring|bead)", p.name) is None:
+                continue
+            a, b = (self.system.page(self.system.at(end)) for end in shape.ends)
+            if lies_on(at, a, b) and min(apart(at, a), apart(at, b)) > 0.3:
+                along = toward(a, b)
+                side = left_of(along)
+                return Way(at, along, side if inner(side, self.down) <= 0 else scaled(side, -1.0))
+        return None
 
     def grounds(self) -> None:
         """One piece of ground for all that move on one line, with gaps for the rods that are drawn."""
@@ -295,8 +458,8 @@ class Blocks:
                 through = [line for line in self.busy if apart(*line) > 2 * HIGH]
                 rail(self.sketch, beyond(foot, way.along, middle), down, half, through)
         for at, centre in self.corners:
-            if centre in mounted:
-                continue
+            if centre in mounted or any(apart(at, ridge) < 0.3 for ridge in self.ridges):
+                continue  # at the edge of a table, or on the ridge of a wedge
             inward = toward(at, centre)
             held = beyond(centre, inward, 3 * CORNER)
             self.sketch.line([centre, held], StrokeKind.LINK)
@@ -338,7 +501,7 @@ class Blocks:
 
 def mark_slopes(system: SystemPicture, sketch: Sketch, down: PagePoint) -> None:
     """Draw the angle of each slope once: a dashed horizontal through the foot of the plane, an arc, the letter."""
-    field = system.problem.gravity
+    field = system.down
     if field is None or not system.view.planar or len(system.view.shown) < 2:
         return
     drawn = {mark.label for mark in system.problem.figure.marks}

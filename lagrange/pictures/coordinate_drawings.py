@@ -153,6 +153,12 @@ class CoordinateDrawings:
 
     def angle(self, q: sp.Symbol) -> bool:
         """Mark a coordinate if it is an angle at a point; return whether it is one."""
+        swinging = [j.mark for j in self.system.swinging_joints if j.coordinate == q]
+        if swinging and any(
+            same_ends((self.flat(swinging[0].centre), self.flat(swinging[0].point)), b) for b in self.busy
+        ):
+            self.angle_at(swinging[0])
+            return True
         angles = [(p, m) for p in self.system.marked_points if (m := angle_mark(self.pose, q, p.position)) is not None]
         if angles:  # of two points on opposite sides of a centre, the one that is counted from the axis itself
             p, mark = max(angles, key=lambda f: round(sum(f[1].reference) / math.hypot(*f[1].reference), 6))

@@ -18,11 +18,12 @@ from lagrange.document.scene import PagePoint, Scene, StrokeKind, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
+from lagrange.pictures.implied.body_shapes import with_implied_shapes
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
 from lagrange.pictures.loads import Acting, Arrows, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, farthest, left_of, toward
-from lagrange.pictures.solids import TURN, across, with_implied_shapes
+from lagrange.pictures.solids import TURN, across
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Outline
 

@@ -24,11 +24,12 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, is_distance, relative_angle_mark
-from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, same_ends, toward
+from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, lies_on, same_ends, toward
 from lagrange.pictures.systems import ROD, SystemPicture, is_string
 from lagrange.problem.model import Keeper, Outline
 
 _STRING = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
+_PENDULUM = re.compile("pendulum", re.IGNORECASE)
 _PULLEY, _PULLEYS = (re.compile(rf"\b(pulley|peg|drum){s}\b", re.IGNORECASE) for s in ("", "s"))
 LARGE_PULLEY = 2.2
 """How wide the only pulley may be that leads a string from one level to the same, in centimetres."""
@@ -67,6 +68,7 @@ class Inferred:
             self.strings()
             with suppress(NoValueError):
                 self.hanging()
+            self.hangers()
             for p in self.particles():
                 if not self.guide(p) and not self.arm(p):
                     self.path(p)
@@ -87,7 +89,7 @@ class Inferred:
     def guide(self, p: MassPoint) -> bool:
         """The straight rod or tube through a fixed place, which turns, and along which a particle slides."""
         linked = {e for link in self.system.configuration.links for e in link.ends}
-        if not _GUIDE.search(self.system.text) or p.name in linked or not self.system.view.planar:
+        if not _GUIDE.search(self.system.text) or p.name in linked:
             return False
         poses = (self.pose, *self.pose.others)
         later = replace(self.pose, values={**self.pose.values, t: self.pose.values.get(t, 0.0) + 0.3})
@@ -103,9 +105,30 @@ class Inferred:
                     end = beyond(at, toward(start, at), 0.8)
                     self.sketch.line([start, end], StrokeKind.ROD)
                     self.busy.append((start, end))
-                    self.pivots.append(start)
+                    if self.system.view.planar:
+                        self.pivots.append(start)
                     return True
         return False
+
+    def hangers(self) -> None:
+        """The strings and rods of chains, from a fixed place to the joints of bodies and to particles."""
+        bodies = {r.name for r in self.system.configuration.rotations}
+        for joint in self.system.swinging_joints if not self.system.is_round else ():
+            rope, bar = _STRING.search(self.system.text), ROD.search(self.system.text)
+            if not (rope or bar):
+                continue
+            kind = StrokeKind.STRING if rope and (joint.name in bodies or not bar) else StrokeKind.ROD
+            centre, end = self.system.page(joint.mark.centre), self.system.page(joint.mark.point)
+            middles = [self.at(p.position) for p in self.system.configuration.points if p.name in bodies]
+            if any(lies_on(at, centre, end) and min(apart(at, centre), apart(at, end)) > 0.1 for at in middles):
+                continue  # a body leads there
+            if not any(same_ends((centre, end), line) for line in self.busy):
+                self.sketch.line([centre, end], kind)
+                self.busy.append((centre, end))
+                if joint.is_fixed:
+                    self.pivots.append(centre)
+                if joint.name in bodies or not joint.is_fixed:
+                    self.sketch.hinge(end if joint.name in bodies else centre)
 
     def arm(self, p: MassPoint) -> bool:
         """The rod or string on which a particle swings; whether it moves on a circle."""
@@ -137,7 +160,14 @@ class Inferred:
     def _is_braced(self, p: MassPoint, centre: FloatVector) -> bool:
         """Whether a point of a frame is at a constant distance from others, not in line with the centre."""
         places = {o.name: self.pose.at(o.position) for o in self.system.configuration.points}
-        ends = [places[a if b == p.name else b] for a, b, _ in self.system.kept_distances if p.name in (a, b)]
+        others = {o.name: [x.at(o.position) for x in self.pose.others] for o in self.system.configuration.points}
+        ends = [
+            places[end]
+            for a, b, _ in self.system.kept_distances
+            for end in ((a if b == p.name else b),)
+            if p.name in (a, b)
+            and all(abs(math.dist(x, centre) - math.dist(places[end], centre)) < SAME_ON_PAGE for x in others[end])
+        ]
         arm = minus(places[p.name], centre)
         ways = [minus(end, centre) for end in ends]
         return any(math.hypot(*outer(arm, way)) > SAME_ON_PAGE for way in ways)
@@ -156,7 +186,7 @@ class Inferred:
             return StrokeKind.STRING if _STRING.search(called) else None
         if self.system.is_round:
             return None
-        if _STRING.search(self.system.text) and not ROD.search(self.system.text):
+        if _STRING.search(self.system.text) and not ROD.search(_PENDULUM.sub("", self.system.text)):
             return StrokeKind.STRING
         return StrokeKind.ROD if ROD.search(self.system.text) else None
 
@@ -178,13 +208,12 @@ class Inferred:
                 continue
             if len(used) != 2 or row.finite is None:
                 continue
-            points = self.system.configuration.points
             straight = [q for q, a in used.items() if a.is_number]
             if len(straight) == 1:
                 with suppress(NoValueError):
                     self._to_a_boom(straight[0], next(q for q in used if q != straight[0]), row.finite)
                 continue
-            pairs = [[p for p in points if not p.position.fixed().partial(q).is_zero and p.mass != 0] for q in used]
+            pairs = [self._held_by(q) for q in used]
             if any(len(pair) != 1 for pair in pairs):
                 continue
             ends = [pair[0].position for pair in pairs]
@@ -195,6 +224,17 @@ class Inferred:
                     case [one, other] if other == 2 * one:
                         order = sorted(zip(used, ends, strict=True), key=lambda e: abs(used[e[0]]))
                         self._under_pulley([v for _, v in order], [q for q, _ in order])
+
+    def _held_by(self, q: sp.Symbol) -> list[MassPoint]:
+        """What hangs on the part of a string whose length is q: weights, or the massless point which q alone moves."""
+        points = [p for p in self.system.configuration.points if not p.position.fixed().partial(q).is_zero]
+        ends = [
+            p
+            for p in points
+            if p.mass == 0 and p.position.fixed().as_sum().free_symbols & {*self.pose.coordinates} == {q}
+        ]
+        weightless = all(p.mass == 0 for p in self.system.configuration.points)
+        return ends or [p for p in points if p.mass != 0 or weightless]
 
     def hanging(self) -> None:
         """The strings from which bodies hang, off the rim of a wheel with a fixed centre."""

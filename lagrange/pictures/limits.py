@@ -33,6 +33,9 @@ TRIALS = 48
 LEAST_GAP = 0.13
 """Least distance of two different points, as a part of the size of the system: at 6 cm there is just room for a label
 between them."""
+MOST_UNEQUAL = 6.0
+"""How often the least length of a problem with values goes into the greatest, on the page: a sixth of the room for a
+system is a centimetre."""
 LARGEST_VALUE = 1e6
 """Values that can be drawn; a larger one comes from a pole (tan θ near π/2)."""
 CURVE_STEP = 0.07

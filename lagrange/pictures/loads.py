@@ -152,10 +152,10 @@ def _loads(system: SystemPicture, name: str) -> Iterator[Acting]:
         vector = pose.at(load.vector)
         if math.hypot(*vector) > 1e-9:
             where = minus(pose.at(load.point), pose.at(centre))
-            yield Acting(name, _force_label(load, rough[0] if len(rough) == 1 else ""), vector, StrokeKind.FORCE, where)
+            yield Acting(name, force_label(load, rough[0] if len(rough) == 1 else ""), vector, StrokeKind.FORCE, where)
 
 
-def _force_label(load: Load, only_friction: str) -> sp.Expr | str:
+def force_label(load: Load, only_friction: str) -> sp.Expr | str:
     """The magnitude of a load if that is short; otherwise its name, or what it is where there is no other friction."""
     parts = [c for c in load.vector.components if c != 0]
     if len(parts) == 1:

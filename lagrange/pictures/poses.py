@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -34,8 +34,8 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, plus, projected, value
-from lagrange.pictures.limits import LEAST_GAP, SAME_PLACE, TRIALS
-from lagrange.problem.model import Problem
+from lagrange.pictures.limits import LEAST_GAP, MOST_UNEQUAL, SAME_PLACE, TRIALS
+from lagrange.problem.model import AppliedForce, Problem
 
 # What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
 _SIZES = {
@@ -55,6 +55,7 @@ _SIZES = {
 BOWL = re.compile(r"\bbowl|hemispher|\btrough|\bgroove|\bcup\b", re.IGNORECASE)
 _HANGS = re.compile(r"\bhang|\bsuspended|\bpendulum", re.IGNORECASE)
 _UPRIGHT = re.compile(r"\binvert|\bupright|\bstand|\babove", re.IGNORECASE)
+_KERB = re.compile(r"\b(kerb|curb)s?\b", re.IGNORECASE)
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
@@ -166,7 +167,7 @@ def _guess(
     angles = set(_angles([*_expressions(configuration, points)]))
     values: dict[sp.Symbol, float] = {t: 1.0}
     chosen = chosen_values(problem)
-    given = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
+    given = _given(problem, [*_expressions(configuration, points)], configuration)
     parameters = {p.symbol for p in problem.parameters}
     coordinates = configuration.slots.coordinates
     unknowns = set().union(*(e.free_symbols for e in _expressions(configuration, points))) if points else set()
@@ -187,10 +188,34 @@ def _guess(
             values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else size * wobble)
     for s in _below(problem, configuration, points):
         values[s] = -abs(values[s])
+    for s, value_ in _before_a_kerb(problem, points, values):
+        values[s] = value_
     for s, factor in _views(configuration, points, angles, parameters):
         values[s] = factor(values)
     undefined = {sp.Symbol(f.name, real=True): chosen[f.name] for f in problem.functions if f.name in chosen}
     return {s: chosen.get(s.name, v) for s, v in values.items()} | undefined
+
+
+def _given(problem: Problem, expressions: Sequence[sp.Expr], configuration: Configuration) -> dict[sp.Symbol, float]:
+    """The values of the file, with lengths in a unit in which they have the size that their letters suggest.
+
+    A disc of 150 mm is drawn as large as one of 3 m. Lengths of very different sizes are brought nearer to each other,
+    in their order: an axle of 5 mm under a string of 2 m would not be seen.
+    """
+    values = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
+    moments = [moment for r in configuration.rotations for moment in r.inertia.moments]
+    used = set().union(*(e.free_symbols for e in (*expressions, *moments))) if expressions else set()
+    lengths = {p.symbol: abs(values[p.symbol]) for p in problem.parameters if p.symbol in values and p.unit == "m"}
+    lengths = {s: v for s, v in lengths.items() if s in used and v > 0}
+    bare = any(a.is_Number and a != 0 for e in expressions for a in sp.Add.make_args(e) if e.is_Add)
+    if not lengths or problem.figure.at or bare:
+        return values
+    greatest, least = max(lengths.values()), min(lengths.values())
+    power = math.log(MOST_UNEQUAL) / math.log(greatest / least) if greatest > MOST_UNEQUAL * least else 1.0
+    size = max(_size(s) for s in lengths)
+    drawn = {s: math.copysign(size * (v / greatest) ** power, values[s]) for s, v in lengths.items()}
+    curvatures = [p.symbol for p in problem.parameters if p.symbol in values and p.unit == "1/m"]
+    return values | drawn | {s: values[s] * greatest / size for s in curvatures}
 
 
 def _below(problem: Problem, configuration: Configuration, points: Sequence[Vector]) -> Iterator[sp.Symbol]:
@@ -203,6 +228,23 @@ def _below(problem: Problem, configuration: Configuration, points: Sequence[Vect
         upward = any((p.partial(s).dot(down.fixed())).could_extract_minus_sign() for p in points)
         if upward and even and all(sp.expand(f - sp.sympify(f, strict=True).xreplace({s: -s})) == 0 for f in even):
             yield s
+
+
+def _before_a_kerb(
+    problem: Problem, points: Sequence[Vector], values: Mapping[sp.Symbol, float]
+) -> Iterator[tuple[sp.Symbol, float]]:
+    """A kerb h lower than the centre of its wheel, which is on the side from which it is pulled."""
+    if not _KERB.search(f"{problem.title} {problem.description}"):
+        return
+    radii = [v for s, v in values.items() if s.name in ("r", "R")]
+    yield from ((s, 0.45 * min(radii)) for s in values if s.name == "h" and radii)
+    for q in (q.symbol for q in problem.coordinates):
+        ways = [p.partial(q) for p in points if not p.partial(q).is_zero]
+        pulls = [f.vector.fixed() for f in problem.forces if isinstance(f, AppliedForce)]
+        sizes = [value(w.dot(f), {**values, **dict.fromkeys(w.dot(f).free_symbols - {*values}, 1.0)})
+                 for w in ways for f in pulls if problem.gravity is None and f.components[1] == 0]  # fmt: skip
+        if q in values and sum(sizes) > 0:
+            yield q, -abs(values[q])
 
 
 def _views(

@@ -12,7 +12,7 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import sympy as sp
 
@@ -184,6 +184,24 @@ def lies_on(at: PagePoint, a: PagePoint, b: PagePoint) -> bool:
     return apart(at, a) + apart(at, b) - apart(a, b) < 0.02
 
 
+def inner_product(a: PagePoint, b: PagePoint) -> float:
+    """a·b."""
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def crossing(one: Sequence[PagePoint], other: Sequence[PagePoint]) -> PagePoint | None:
+    """Where two pieces cross inside both; None if they do not."""
+    (a, b), (c, d) = one, other
+    u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
+    turned = u[0] * v[1] - u[1] * v[0]
+    if abs(turned) < SAME_ON_PAGE:
+        return None
+    w = (c[0] - a[0], c[1] - a[1])
+    s, r = (w[0] * v[1] - w[1] * v[0]) / turned, (w[0] * u[1] - w[1] * u[0]) / turned
+    inside = all(SAME_ON_PAGE < x < 1 - SAME_ON_PAGE for x in (s, r))
+    return (a[0] + s * u[0], a[1] + s * u[1]) if inside else None
+
+
 def in_line(centre: PagePoint, others: list[PagePoint]) -> bool:
     """Whether all points are on one line with the first."""
     far = max(others, key=lambda p: apart(centre, p))
@@ -305,6 +323,31 @@ class Sketch:
                 kept.append(line)
         self.lines = kept
         return beyond(a, way, start), beyond(a, way, end)
+
+    def cut_grounds(self, contacts: Sequence[PagePoint]) -> None:
+        """Of two straight grounds that cross, leave the parts on which something is: two slopes end at their ridge."""
+        grounds = [line for line in self.lines if line.kind is StrokeKind.GROUND and len(line.points) == 2]
+        for one, other in combinations(grounds, 2):
+            corner = crossing(one.points, other.points)
+            if corner is None:
+                continue
+            for line in (one, other):
+                a, b = line.points
+                on = [at for at in contacts if lies_on(at, a, b) and apart(at, corner) > HATCH]
+                before = [inner_product(toward(corner, at), toward(corner, a)) > 0 for at in on]
+                if on and all(before) == any(before):
+                    self._redraw(line, [a, corner] if before[0] else [corner, b])
+
+    def _redraw(self, line: Polyline, points: Sequence[PagePoint]) -> None:
+        """Another piece of ground in the place of one, with its own hatching."""
+        if line not in self.lines:
+            return
+        start = self.lines.index(line)
+        end = start + 1
+        while end < len(self.lines) and self.lines[end].kind is StrokeKind.HATCH:
+            end += 1
+        del self.lines[start:end]
+        self.ground(points)
 
     def join_corner(self) -> None:
         """Prolong a wall and a floor to where they meet, if they are the only grounds, at a right angle and apart."""

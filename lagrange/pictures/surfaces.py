@@ -39,7 +39,7 @@ from lagrange.pictures.sketch import PARTICLE, Sketch, toward
 from lagrange.pictures.systems import SystemPicture
 from lagrange.pictures.views import View, view
 from lagrange.problem.keys import Keeper, Outline
-from lagrange.problem.model import Friction
+from lagrange.problem.model import BodyShape, Friction
 
 _HALF_PATCH, _PIECES_OF_PATCH = 1.9, 16
 _SHIFT = 0.8
@@ -242,7 +242,7 @@ _STEPS, _TURNS, _HALF = 12, 24, 0.45
 """Pieces of a profile, of a turn, and half the width of a patch as a part of the distance from O to the particle."""
 _LONG = 260
 """Steps of a curve to either side of the particle."""
-_TABLE = re.compile(r"\b(table|floor|horizontal plane)\b", re.IGNORECASE)
+_TABLE = re.compile(r"\b(table|floor|horizontal plane|incline|slope|inclined plane|plane inclined)\b", re.IGNORECASE)
 Field = Callable[[FloatVector], float]
 
 
@@ -313,15 +313,29 @@ def _table(here: FloatVector) -> list[FloatVector]:
 def _lowest(system: SystemPicture, p: MassPoint, rotation: Rotation) -> float | None:
     """The height of the lowest point of a disc or sphere that rolls on one level; None for any other body."""
     shape = system.problem.figure.shapes.get(p.name)
-    if shape is None or shape.kind not in (Outline.DISC, Outline.RING, Outline.SPHERE):
+    if shape is None or shape.kind not in (Outline.DISC, Outline.RING, Outline.SPHERE, Outline.CONE):
         return None
     axis = rotation.axes[rotation.inertia.symmetry_axis] if shape.axis is None else shape.axis
+    if shape.kind is Outline.CONE and system.problem.gravity is not None:
+        return _under_cone(system, p, shape, axis)
     heights = []
     for pose in (system.pose, *system.pose.others):
         upright = 1.0 if shape.kind is Outline.SPHERE else math.sqrt(max(1 - pose.at(axis)[2] ** 2, 0.0))
         heights.append(pose.at(p.position)[2] - abs(pose.number(shape.lengths[0])) * upright)
     moves = math.dist(system.pose.at(p.position), system.pose.others[0].at(p.position)) if system.pose.others else 0.0
     return heights[0] if moves > SAME_PLACE and max(heights) - min(heights) < SAME_PLACE else None
+
+
+def _under_cone(system: SystemPicture, p: MassPoint, shape: BodyShape, axis: Vector) -> float | None:
+    """The height of the plane on which the tip of a cone stays, with its rim on or above it: it rolls, or is a top."""
+    tips, rims = [], []
+    for pose in (system.pose, *system.pose.others):
+        along, at = unit(pose.at(axis)), pose.at(p.position)
+        radius, high = (abs(pose.number(x)) for x in shape.lengths)
+        tips.append(plus(at, along, -0.75 * high))
+        rims.append(at[2] + 0.25 * high * along[2] - radius * math.sqrt(max(1 - along[2] ** 2, 0.0)))
+    stays = len(tips) > 2 and all(math.dist(tips[0], tip) < SAME_PLACE for tip in tips)
+    return tips[0][2] if stays and rims[0] > tips[0][2] - SAME_PLACE else None
 
 
 def _table_under(here: FloatVector, low: float) -> list[FloatVector]:

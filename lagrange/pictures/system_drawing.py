@@ -7,7 +7,7 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -22,17 +22,17 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.bearings import bearing, slots
+from lagrange.pictures.bearings import Supports, circle_through, slots
 from lagrange.pictures.blocks import FLOOR, WALL, Blocks, mark_slopes
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
+from lagrange.pictures.implied.body_shapes import has_axle, with_implied_shapes
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
 from lagrange.pictures.linkages import links
 from lagrange.pictures.loads import ARROW, Arrows, as_words, constraint_curve
-from lagrange.pictures.poses import angle_mark
-from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
+from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import (
     HINGE,
     PARTICLE,
@@ -43,11 +43,12 @@ from lagrange.pictures.sketch import (
     in_line,
     left_of,
     lies_on,
+    same_ends,
     scaled,
     touches,
     toward,
 )
-from lagrange.pictures.solids import Solids, has_axle, with_implied_shapes
+from lagrange.pictures.solids import Solids
 from lagrange.pictures.springs_dampers import SpringsDampers
 from lagrange.pictures.surfaces import InSpace, constraints_in_space
 from lagrange.pictures.systems import ROD, SystemPicture, is_string, rod_ends
@@ -88,7 +89,8 @@ class _Drawing:
         self.mounts: list[PagePoint] = []
         self.busy: list[tuple[PagePoint, PagePoint]] = []
         self.links = links(system)
-        self.slots: tuple[str, ...] = ()
+        self.boards: Mapping[str, PagePoint] = {}
+        self.supports = Supports(system, self.sketch, self.busy, (), self.downward)
 
     def all(self, with_loads: bool, with_inferred: bool) -> None:
         declared = DeclaredParts(self.system, self.sketch, self.busy)
@@ -108,8 +110,14 @@ class _Drawing:
         blocks = Blocks(self.system, self.sketch, self.busy, self.downward, inferred.corners)
         if with_inferred:
             blocks.boxes()
-        self.slots = slots(self.system, self.sketch) if with_inferred and "constraints" not in self.hidden else ()
+            self.boards = blocks.boards
+        pins = slots(self.system, self.sketch) if with_inferred and "constraints" not in self.hidden else ()
+        self.supports = Supports(self.system, self.sketch, self.busy, pins, self.downward, boards=blocks.tops)
         self.bodies(drawn=blocks.half)
+        if with_inferred and not with_loads and "loads" not in self.hidden:
+            self.supports.threads()
+        if with_inferred and "constraints" not in self.hidden:
+            self.supports.under_several()
         if with_inferred:
             blocks.grounds()
         if with_inferred and WALL.search(self.system.text) and FLOOR.search(self.system.text):
@@ -117,11 +125,13 @@ class _Drawing:
         springs = SpringsDampers(self.system, self.sketch, self.busy)
         springs.draw(blocks.half)
         self.mounts += list(dict.fromkeys(at for at, _ in springs.mounted))
+        self.mounts += [at for at in self.supports.mounts if all(apart(at, m) > SAME_ON_PAGE for m in self.mounts)]
         self.supports_of_rods(springs.mounted)
         if "constraints" not in self.hidden:
             self.curves()
             if with_inferred:
                 self.in_space.draw(self.system, self.sketch)
+        self.sketch.cut_grounds([*self.supports.touched, *map(self.flat, self.places.values())])
         declared.points()
         self.particles()
         arrows = Arrows(self.system, self.sketch, self.places)
@@ -179,7 +189,7 @@ class _Drawing:
             if {"constraints", reaction.name} & self.hidden:
                 continue
             first, second = (self.flat(p) for p in rod_ends(rod, self.system.configuration, self.pose))
-            self.sketch.line([second, first], StrokeKind.ROD)
+            self.sketch.line([second, first], StrokeKind.STRING if is_string(reaction) else StrokeKind.ROD)
             self.busy.append((second, first))
             if not rod.ends[1]:
                 self.sketch.hinge(second)
@@ -189,7 +199,7 @@ class _Drawing:
                 self.sketch.label_beside(rod.length, second, first, optional=True)
 
         for a, b, by_constraints in self.system.kept_distances:
-            if by_constraints:
+            if by_constraints and not self.system.is_surface_between(a, b):
                 start, end = self.flat(self.places[a]), self.flat(self.places[b])
                 self.sketch.line([start, end], StrokeKind.ROD)
                 self.busy.append((start, end))
@@ -234,7 +244,7 @@ class _Drawing:
     @property
     def downward(self) -> PagePoint:
         """The direction of gravity on the page; to the bottom of the page where none is given."""
-        field = self.system.problem.gravity
+        field = self.system.down
         down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
         return toward((0.0, 0.0), down) if math.hypot(*down) > 1e-6 else (0.0, -1.0)
 
@@ -281,7 +291,7 @@ class _Drawing:
             e1 = toward((0, 0), self.page.way(self.pose.at(rotation.axes[0])))
             self.sketch.line([self.flat(centre), beyond(self.flat(centre), e1, radius)], StrokeKind.REFERENCE)
         if rotation is not None and self.system.view.planar and "constraints" not in self.hidden:
-            self.supports(p, rotation)
+            self.supports.draw(p, rotation)
         if rotation is not None and self.system.view.planar and self.system.is_bare:
             self.joints(p)
         if rotation is not None and self.system.view.planar and self.system.is_bare and self.is_fixed(p.position):
@@ -356,7 +366,7 @@ class _Drawing:
         self.sketch.hinge(at)
         if is_wheel:
             self.mounts.append(at)
-        else:
+        elif field is not None or all(q.mass == 0 for q in self.system.configuration.points):  # not seen from above
             fulcrum(self.sketch, at, toward((0.0, 0.0), down))
 
     def plane_body(self, p: MassPoint, rotation: Rotation) -> None:
@@ -364,6 +374,10 @@ class _Drawing:
         known = self.system.shapes[p.name]
         held = [self.flat(plus(self.places[p.name], in_space(self.pose, rotation, h))) for h in known.held]
         self.joints(p)
+        if self.supports.outline(p):
+            self.sketch.dot(centre, 0.06)
+            self.supports.draw(p, rotation)
+            return
         more = (self.system.joints, self.system.carried, self.system.fastened, self.links.held)
         held += [self.flat(place) for places in more for place in places.get(p.name, ())]
         if known.radius:
@@ -389,80 +403,7 @@ class _Drawing:
             self.pivot(centre, known.radius > 0)
         for link in self.links.held.get(p.name, ()):
             self.sketch.hinge(self.flat(link))
-        self.supports(p, rotation)
-
-    def supports(self, p: MassPoint, rotation: Rotation) -> None:
-        """The lines on which a body slides or rolls: perpendicular to a reaction whose direction is constant."""
-        known = self.system.shapes[p.name]
-        for reaction in self.system.reactions_on(p.name):
-            if reaction.name in self.slots:
-                continue
-            rolls = known.radius and reaction.name not in known.at
-            point = reaction_point(self.pose, rotation, reaction, known)
-            held = reaction.name in known.at and self.stays(p, rotation, known.at[reaction.name])
-            if point is None or (math.hypot(*point) < 1e-6 and not held):
-                continue
-            if not has_one_direction(self.pose, reaction, p.name):
-                self.track(p, rotation, reaction)
-                continue
-            at = self.flat(plus(self.places[p.name], point))
-            if held:
-                bearing(self.system, self.sketch, p, reaction, at, self.downward)
-                continue
-            force, _ = force_and_moment(self.pose, reaction, p.name)
-            way = toward((0, 0), self.page.way(force))
-            if is_string(reaction) and rolls:
-                self.unwinding(at, way if inner(way, self.downward) < 0 else scaled(way, -1.0))
-                continue
-            way = way if rolls else left_of(way)
-            half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
-            declared = self.system.problem.figure.shapes.get(p.name)
-            if declared is not None and declared.kind is Outline.BOX:  # from its corner to beyond its other end
-                x, y = self.flat(self.places[p.name])
-                half += 2 * abs(inner((x - at[0], y - at[1]), way))
-            ends = [beyond(at, way, -half), beyond(at, way, half)]
-            push = toward(at, self.flat(self.places[p.name]))
-            if left_of(way)[0] * push[0] + left_of(way)[1] * push[1] < 0:
-                ends.reverse()
-            self.sketch.ground(ends)
-
-    def unwinding(self, at: PagePoint, way: PagePoint) -> None:
-        """The string that leaves a wheel, up to the level where it is fastened."""
-        reach = max(1.6, inner((self.origin[0] - at[0], self.origin[1] - at[1]), way))
-        end = beyond(at, way, reach)
-        self.sketch.line([at, end], StrokeKind.STRING)
-        self.busy.append((at, end))
-        self.sketch.wall(end, scaled(way, -1.0), 0.45)
-
-    def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float]) -> bool:
-        """Whether a point of a body is fixed in space."""
-        poses = (self.pose, *self.pose.others)
-        places = [plus(x.at(p.position), in_space(x, rotation, point)) for x in poses]
-        return all(math.dist(places[0], q) < 1e-7 for q in places)
-
-    def track(self, p: MassPoint, rotation: Rotation, reaction: Reaction) -> None:
-        """The part of the circle on which a wheel rolls that is near it."""
-        known = self.system.shapes[p.name]
-        if not known.radius or reaction.name in known.at:
-            return
-        touched = []
-        for pose in (self.pose, *self.pose.others):
-            point = reaction_point(pose, rotation, reaction, known)
-            touched.append(None if point is None else plus(pose.at(p.position), point))
-        for q in self.pose.coordinates:
-            mark = angle_mark(self.pose, q, p.position)
-            if mark is None or any(x is None for x in touched) or len(touched) < 3:
-                continue
-            distances = [math.dist(mark.centre, x) for x in touched if x is not None]
-            if max(distances) - min(distances) < 1e-7 and touched[0] is not None:
-                centre, (x, y) = self.flat(mark.centre), self.flat(touched[0])
-                turn = math.atan2(y - centre[1], x - centre[0])
-                radius = distances[0] * self.page.scale
-                angles = [turn + (k - 16) * 0.06 for k in range(33)]
-                points = [beyond(centre, (math.cos(a), math.sin(a)), radius) for a in angles]
-                outside = apart(centre, self.flat(self.places[p.name])) > radius
-                self.sketch.ground(points[::-1] if outside else points)
-                return
+        self.supports.draw(p, rotation)
 
     def ellipsoid(self, p: MassPoint, rotation: Rotation) -> None:
         """A body of which nothing more is known; its outline on the page is an ellipse with the matrix Σ a² u uᵀ."""
@@ -499,7 +440,8 @@ class _Drawing:
             at = self.flat(self.places[p.name])
             if p.name in self.hidden:
                 continue
-            if p.name not in turning and p.name not in self.system.problem.figure.shapes:
+            at = self.boards.get(p.name, at)
+            if p.name not in turning and p.name not in self.system.problem.figure.shapes and p.name not in self.boards:
                 self.sketch.dot(at)
             # The name goes opposite to the lines that meet at the particle.
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in lines if touches(at, a, b)]
@@ -525,6 +467,10 @@ class _Drawing:
             curve = constraint_curve(self.pose, row, p.position, self.page, frame)
             if curve is not None:
                 points_on_curve, closed = curve
+                if not closed and in_line(points_on_curve[0], points_on_curve[1:]):
+                    points_on_curve = [points_on_curve[0], points_on_curve[-1]]
+                if self.tied(reaction, points_on_curve, name):
+                    continue
                 side = self.forbidden_side(reaction, row, points_on_curve)
                 if side:
                     ring = [*points_on_curve, points_on_curve[0]] if closed else points_on_curve
@@ -533,6 +479,20 @@ class _Drawing:
                     self.sketch.line(points_on_curve, StrokeKind.CURVE, closed=closed)
                 if in_line(points_on_curve[0], points_on_curve[1:]):
                     self.busy.append((points_on_curve[0], points_on_curve[-1]))
+
+    def tied(self, reaction: Reaction, curve: Sequence[PagePoint], name: str) -> bool:
+        """Draw the string or rod that keeps a particle on a circle where the file calls it so; whether it does."""
+        by = reaction.constraint.by
+        called = is_string(reaction) or by is Keeper.ROD or (by is None and ROD.search(reaction.name))
+        centre = circle_through(curve[:: max(len(curve) // 12, 1)]) if called else None
+        if centre is None:
+            return False
+        at = self.flat(self.places[name])
+        if not any(same_ends((centre, at), other) for other in self.busy):
+            self.sketch.line([centre, at], StrokeKind.STRING if is_string(reaction) else StrokeKind.ROD)
+            self.busy.append((centre, at))
+            self.sketch.hinge(centre)
+        return True
 
     def forbidden_side(self, reaction: Reaction, row: Row, curve: Sequence[PagePoint]) -> int:
         """On which side of a curve its particle cannot be: 1 to the right of the way along it, −1 to the left, 0 if

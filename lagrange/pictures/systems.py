@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -23,18 +23,19 @@ from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint
 from lagrange.mechanics.constraints.coordinates import of_mass_centre
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
 from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, value
+from lagrange.pictures.implied.side_by_side import beside
+from lagrange.pictures.joints import SwingingJoint, circle_centres, holds, same_everywhere, swinging_joints
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, SAME_PLACE, WIDTH
 from lagrange.pictures.poses import BOWL, Pose, angle_mark, general_pose, notable
-from lagrange.pictures.shapes import Shape, coordinates_in_body, plane_rotation, shape
+from lagrange.pictures.shapes import Shape, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
-from lagrange.problem.model import Drawn, Figure, FigureMark, Keeper, Outline, Problem
+from lagrange.problem.model import AppliedForce, Drawn, Figure, FigureMark, Keeper, Outline, Problem
 
 ROD = re.compile(
     r"pendulum|linkage|\b(rod|arm|link|bar|crank|rocker|lever|beam|pole|stick|hinge)s?\b|\bhinged\b", re.IGNORECASE
@@ -42,7 +43,8 @@ ROD = re.compile(
 """Words for what keeps a distance."""
 BEAM = re.compile(r"\b(beam|girder|truss|bridge|support|roller|plank|bracket|frame)s?\b", re.IGNORECASE)
 """Words for what stands on bearings."""
-_ROPE = re.compile("string|rope|cord|cable|thread", re.IGNORECASE)
+ROPE = re.compile("string|rope|cord|cable|thread", re.IGNORECASE)
+_WEIGHT = re.compile(r"[Ww]eight\w*|W|w")
 _HOOP = re.compile(r"hoop|\bring\b|circular|bowl|track|loop|dome|sphere|wire\b|bead|tube", re.IGNORECASE)
 
 
@@ -100,6 +102,11 @@ class SystemPicture:
         return tuple(m for m in self.problem.figure.marks if not (m.label.free_symbols & every) - own)
 
     @property
+    def down(self) -> Vector | None:
+        """The direction of gravity, or of the weights that the file gives as forces; None if it gives neither."""
+        return self.problem.gravity or weight(self.problem)
+
+    @property
     def is_bare(self) -> bool:
         """Whether the file draws no bodies with lines of its own."""
         figure = self.problem.figure
@@ -134,6 +141,11 @@ class SystemPicture:
             return by in (Keeper.ROD, Keeper.STRING)
         return not _HOOP.search(reaction.name)
 
+    def is_surface_between(self, first: str, second: str) -> bool:
+        """Whether two points keep their distance since one of them slides on a surface or wire of the other."""
+        between = [r.constraint for r in self.newton.reactions if {*r.acts_on} == {first, second}]
+        return any(c.by in (Keeper.SURFACE, Keeper.WIRE) or (c.side or 0) > 0 for c in between)
+
     def reactions_on(self, body: str) -> tuple[Reaction, ...]:
         """The reactions on a body whose directions are known."""
         known = (r for r in self.newton.reactions if r.directions is not None)
@@ -155,22 +167,27 @@ class SystemPicture:
         joints: dict[str, list[FloatVector]] = {}
         for p in self.configuration.points:
             rotation = plane_rotation(self.configuration, p.name)
-            for centre in _circle_centres(self.pose, p, rotation) if rotation is not None else ():
+            for centre in circle_centres(self.pose, p, rotation) if rotation is not None else ():
                 joint = centre(self.pose)
-                if joint is None or not _holds(self, p, centre):
+                if joint is None or not holds(self.pose, p, centre):
                     continue
-                fixed = _same_everywhere(self.pose, centre)
-                others = [o for o in self.configuration.points if o.name != p.name and _holds(self, o, centre)]
+                fixed = same_everywhere(self.pose, centre)
+                others = [o for o in self.configuration.points if o.name != p.name and holds(self.pose, o, centre)]
                 if fixed or others:
                     joints.setdefault(p.name, []).append(joint)
                 for o in others:
                     joints.setdefault(o.name, []).append(joint)
         return joints
 
+    @cached_property
+    def swinging_joints(self) -> tuple[SwingingJoint, ...]:
+        """The joints of plane bodies that themselves move on a circle about a fixed place by another coordinate."""
+        return swinging_joints(self.configuration, self.pose) if self.is_bare and self.view.planar else ()
+
     def is_on_body(self, place: Vector) -> bool:
         """Whether a place is fixed in a plane body."""
         turning = (p for p in self.configuration.points if plane_rotation(self.configuration, p.name) is not None)
-        return any(_holds(self, p, lambda pose: pose.at(place)) for p in turning)
+        return any(holds(self.pose, p, lambda pose: pose.at(place)) for p in turning)
 
     @cached_property
     def marked(self) -> dict[str, list[FloatVector]]:
@@ -187,7 +204,7 @@ class SystemPicture:
             p.name: [
                 self.pose.at(o.position)
                 for o in points
-                if o.name not in turning and _holds(self, p, lambda pose, o=o: pose.at(o.position))  # type: ignore[misc]
+                if o.name not in turning and holds(self.pose, p, lambda pose, o=o: pose.at(o.position))  # type: ignore[misc]
             ]
             for p in points
             if p.name in turning
@@ -198,7 +215,7 @@ class SystemPicture:
         """The ends of springs and dampers that move with a plane body, by body."""
         ends = {e for link in self.configuration.links for e in link.ends if isinstance(e, Vector)}
         return {
-            p.name: [self.pose.at(e) for e in ends if _holds(self, p, lambda pose, e=e: pose.at(e))]  # type: ignore[misc]
+            p.name: [self.pose.at(e) for e in ends if holds(self.pose, p, lambda pose, e=e: pose.at(e))]  # type: ignore[misc]
             for p in self.configuration.points
             if ends and plane_rotation(self.configuration, p.name) is not None
         }
@@ -208,9 +225,9 @@ class SystemPicture:
         """The joints of plane bodies that are fixed in space."""
         turning = [(p, plane_rotation(self.configuration, p.name)) for p in self.configuration.points]
         centres = [
-            c for p, r in turning if r is not None for c in _circle_centres(self.pose, p, r) if _holds(self, p, c)
+            c for p, r in turning if r is not None for c in circle_centres(self.pose, p, r) if holds(self.pose, p, c)
         ]
-        places = [c(self.pose) for c in centres if _same_everywhere(self.pose, c)]
+        places = [c(self.pose) for c in centres if same_everywhere(self.pose, c)]
         return tuple(place for place in places if place is not None)
 
     @cached_property
@@ -249,7 +266,12 @@ class SystemPicture:
             moving = [q for q in self.pose.coordinates if any(c.has(q) for c in components)]
             if len(moving) > 1 and self.is_round:  # a hoop that turns itself
                 moving = [q for q in moving if self._is_on_circle(q, p.position)]
-            if len(moving) != 1 or p.mass == 0 or (any(c.has(t) for c in components) and not self.is_round):
+            at_rest = self.is_round and all(o.mass == 0 for o in self.configuration.points)
+            if (
+                len(moving) != 1
+                or (p.mass == 0 and not at_rest)
+                or (any(c.has(t) for c in components) and not self.is_round)
+            ):
                 continue
             [q] = moving
             here = self.pose.values[q]
@@ -359,38 +381,6 @@ class SystemPicture:
                 yield self.pose.at(p.position), half * size
 
 
-def _circle_centres(pose: Pose, p: MassPoint, rotation: Rotation) -> list[Callable[[Pose], FloatVector | None]]:
-    """For each coordinate that turns a body, the centre of the circle on which its mass centre then moves."""
-    turning = set().union(*(c.free_symbols for c in rotation.axes[0].fixed().components)) & set(pose.coordinates)
-
-    def centre(pose: Pose, q: sp.Symbol) -> FloatVector | None:
-        mark = angle_mark(pose, q, p.position)
-        return None if mark is None else mark.centre
-
-    return [lambda pose, q=q: centre(pose, q) for q in sorted(turning, key=str)]  # type: ignore[misc]
-
-
-def _same_everywhere(pose: Pose, place: Callable[[Pose], FloatVector | None]) -> bool:
-    places = [place(p) for p in (pose, *pose.others)]
-    known = [p for p in places if p is not None]
-    return len(known) > 2 and all(math.dist(known[0], p) < 1e-7 for p in known)
-
-
-def _holds(system: SystemPicture, body: MassPoint, point: Callable[[Pose], FloatVector | None]) -> bool:
-    """Whether a point is fixed in a body."""
-    rotation = plane_rotation(system.configuration, body.name)
-    if rotation is None:
-        return False
-
-    def inside(pose: Pose) -> FloatVector | None:
-        place = point(pose)
-        if place is None:
-            return None
-        return (*coordinates_in_body(pose, rotation, body.position, place), 0.0)
-
-    return _same_everywhere(system.pose, inside)
-
-
 @record
 class PaperMap:
     """The map from space to centimetres; the origin is at (0, 0)."""
@@ -440,7 +430,8 @@ def _system(
         return None
     if not (configuration.points or figure.points or figure.lines or figure.curves):
         return None
-    configuration, own = beside(configuration, newton), beside(solution.own.configuration, newton)
+    strings = tuple(r for r in newton.reactions if is_string(r))
+    configuration, own = (beside(c, strings) for c in (configuration, solution.own.configuration))
     used = set()
     for v in (*notable(own), *_vectors(figure)):
         used |= {n for n, c in enumerate(v.fixed().components) if c != 0}
@@ -448,7 +439,7 @@ def _system(
         for axis in r.axes[:2]:
             used |= {n for n, c in enumerate(axis.fixed().components) if c != 0}
     seen = view(solution.problem.axes, frozenset(used))
-    down = figure.down or solution.problem.gravity
+    down = figure.down or solution.problem.gravity or weight(solution.problem)
     if down is not None:
         with suppress(NoValueError):
             seen = seen.upright(pose.at(down), solution.problem.axes)
@@ -459,32 +450,15 @@ def _system(
     return SystemPicture(solution.problem, configuration, newton, pose, seen, _rough_contacts(solution))
 
 
-def beside(configuration: Configuration, newton: Newton) -> Configuration:
-    """The two ends of a string that the file puts on one line, one above the other, drawn side by side.
-
-    The distance between them does not matter in mechanics, and a file may leave it out; on the page a pulley needs it.
-    """
-    for reaction in newton.reactions:
-        coordinates = configuration.slots.coordinates
-        if (
-            not is_string(reaction)
-            or len(reaction.row.coefficients) != len(coordinates)
-            or len(configuration.points) != 2
-        ):
-            continue
-        used = [q for q, a in zip(coordinates, reaction.row.coefficients, strict=True) if a != 0]
-        points = configuration.points
-        parts = [{n for n, c in enumerate(p.position.fixed().components) if c != 0} for p in points]
-        alone = len(used) == 2 and all(len(p.position.fixed().as_sum().free_symbols & {*used}) == 1 for p in points)
-        if not alone or parts[0] != parts[1] or len(parts[0]) != 1:
-            continue
-        [along] = parts[0]
-        way = Vector(tuple(sp.Integer(n == (1 if along == 0 else 0)) for n in range(3)))
-        shifts = {p.name: way * sp.Rational(s, 4) for p, s in zip(points, (-1, 1), strict=True)}
-        moved = tuple(replace(p, position=p.position.fixed() + shifts[p.name]) for p in points)
-        loads = tuple(replace(f, point=f.point.fixed() + shifts.get(f.on, Vector.zero())) for f in configuration.loads)
-        return replace(configuration, points=moved, loads=loads)
-    return configuration
+def weight(problem: Problem) -> Vector | None:
+    """The constant force that a file calls a weight."""
+    coordinates = {q.symbol for q in problem.coordinates}
+    for force in problem.forces:
+        if isinstance(force, AppliedForce) and _WEIGHT.fullmatch(force.name):
+            vector = force.vector.fixed()
+            if not vector.is_zero and not vector.as_sum().free_symbols & coordinates:
+                return vector
+    return None
 
 
 def without_weights(system: SystemPicture) -> SystemPicture:
@@ -496,7 +470,7 @@ def without_weights(system: SystemPicture) -> SystemPicture:
 
 def is_string(reaction: Reaction) -> bool:
     """Whether a string or rope keeps a constraint."""
-    return reaction.constraint.by is Keeper.STRING or bool(_ROPE.search(reaction.row.name))
+    return reaction.constraint.by is Keeper.STRING or bool(ROPE.search(reaction.row.name))
 
 
 def _rough_contacts(solution: Solution) -> tuple[RoughContact, ...]:

@@ -11,6 +11,7 @@ or turned so that the words of the file hold. With the azimuth a = 25° and the 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -43,6 +44,15 @@ _WORDS = {
     "south": _DOWN,
     "away from the wall": _RIGHT,
 }
+_DOWN_ALONG = {
+    (0, 1): (_DOWNWARD, _RIGHTWARD, _NEAR),
+    (0, -1): (_UPWARD, _RIGHTWARD, _FAR),
+    (1, 1): (_RIGHTWARD, _DOWNWARD, _FAR),
+    (1, -1): (_RIGHTWARD, _UPWARD, _NEAR),
+    (2, 1): (_RIGHTWARD, _NEAR, _DOWNWARD),
+    (2, -1): (_NEAR, _RIGHTWARD, _UPWARD),
+}
+"""The images of i, j, k in space where one of them, or its opposite, is the direction of gravity: number, sign."""
 _COMPASS = (
     ({"i": "east", "j": "north"}, (_RIGHTWARD, _FAR, _UPWARD)),
     ({"i": "north", "j": "east"}, (_FAR, _RIGHTWARD, _DOWNWARD)),
@@ -70,15 +80,28 @@ class View:
         return unit(outer(tuple(across), tuple(upward)))  # type: ignore[arg-type]
 
     def upright(self, gravity: FloatVector, axes: Mapping[str, str]) -> View:
-        """A plane turned so that gravity points down, if no word says where its axes point: "down the incline"."""
+        """The same with gravity down the page: a plane is turned, unless the words for its axes say how it lies or that
+        it falls; in space the reader stands on the ground, wherever k points.
+        """
         x, y = self.flat(gravity)
-        named = any(_word(axes, n) in _WORDS for n in self.shown)
-        if not self.planar or len(self.shown) != 2 or named or math.hypot(x, y) < 1e-9:
+        if math.hypot(*gravity) < 1e-9:
+            return self
+        if not self.planar:
+            return self if abs(x) < 1e-9 and y < 0 else self._in_space_upright(gravity)
+        named = any(_word(axes, n) in _WORDS for n in self.shown) and y < 1e-9
+        if len(self.shown) != 2 or named or math.hypot(x, y) < 1e-9:
             return self
         turn = -math.pi / 2 - math.atan2(y, x)
         c, s = math.cos(turn), math.sin(turn)
         turned = [(c * a - s * b, s * a + c * b) for a, b in self.units]
         return replace(self, units=(turned[0], turned[1], turned[2]))
+
+    def _in_space_upright(self, gravity: FloatVector) -> View:
+        size = math.hypot(*gravity)
+        along = next((n for n in range(3) if abs(abs(gravity[n]) / size - 1) < 1e-9), None)
+        if along is None:
+            return seen_from(self.toward_reader, gravity)
+        return replace(self, units=_DOWN_ALONG[along, 1 if gravity[along] > 0 else -1])
 
 
 def seen_from(direction: FloatVector, down: FloatVector) -> View:
@@ -125,10 +148,11 @@ def _in_space(axes: Mapping[str, str]) -> tuple[PagePoint, PagePoint, PagePoint]
     for compass, units in _COMPASS:
         if compass.items() <= words.items():
             return units
-    if words.get("i") == "right" and words.get("j") != "up":
-        return _RIGHTWARD, _FAR, _UPWARD
     if words.get("k") == "down":
         return _RIGHTWARD, _NEAR, _DOWNWARD
+    along_slope = re.search(r"\b(slope|incline|plane)\b", words.get("i", "")) and "i" in words
+    if (words.get("i") == "right" and words.get("j") != "up") or along_slope:
+        return _RIGHTWARD, _FAR, _UPWARD
     if words.get("j") == "up":
         return _RIGHTWARD, _UPWARD, _NEAR
     return _NEAR, _RIGHTWARD, _UPWARD

@@ -78,7 +78,7 @@ def _constraint(name: str, key: Scalar, node: Node, context: LoadContext) -> tup
 def _check_one_sided_keeper(name: str, by: Keeper, span: Span) -> None:
     """Refuse what keeps a constraint from both sides. Raises ProblemError."""
     if by not in (Keeper.STRING, Keeper.SURFACE):
-        message = f"a {by} acts in both senses, and `{name}` is one-sided"
+        message = f"a {by} acts in both senses, but `{name}` is one-sided"
         help_ = "write `by: string` or `by: surface`, or an equation with `=`"
         raise ProblemError(Diagnostic("one-sided", message, span, help=help_))
 
@@ -89,7 +89,7 @@ def _keeper(scalar: Scalar) -> Keeper:
         return Keeper(scalar.text)
     near = nearest(scalar.text, [*Keeper])
     help_ = f"did you mean `{near}`?" if near else f"write {', '.join(f'`{k}`' for k in Keeper)}, or leave it out"
-    message = f"`{scalar.text}` is no known way of keeping a constraint"
+    message = f"`{scalar.text}` is not one of the things that can keep a constraint"
     raise ProblemError(Diagnostic("unknown-keeper", message, scalar.span, help=help_))
 
 

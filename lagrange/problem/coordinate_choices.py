@@ -151,7 +151,7 @@ def _chosen_one(scalar: Scalar, what: str, context: LoadContext) -> sp.Symbol:
     declared = context.names.declared.get(name)
     if declared is not None and declared.what != _NEW:
         line, _ = declared.span.source.position(declared.span.start)
-        message = f"`{name}` is {declared.what}, and cannot be a coordinate of {what}"
+        message = f"`{name}` is {declared.what} and cannot be a coordinate of {what}"
         label = f"declared on line {line}"
         raise ProblemError(Diagnostic("declared-twice", message, scalar.span, label, "choose another name"))
     if declared is None:
@@ -167,7 +167,7 @@ def _check_old(items: tuple[Node, ...], chosen: tuple[sp.Symbol, ...], context: 
     old = context.scope.slots.coordinates
     for item, symbol in zip(items, chosen, strict=True):
         if symbol not in old and old:
-            message = f"`{symbol}` is new, and nothing says how the old coordinates follow from it"
+            message = f"`{symbol}` is new, but nothing says how the old coordinates follow from it"
             help_ = f"add `substitute: {{{old[0]}: ...}}`"
             raise ProblemError(Diagnostic("no-substitution", message, item.span, help=help_))
 
@@ -198,7 +198,7 @@ def _substituted(
 ) -> tuple[sp.Symbol, sp.Expr]:
     names = {s.name for s in chosen}
     if canonical(key.text, names) in names:
-        message = f"`{key.text}` is among the coordinates of this choice, and replaced as well"
+        message = f"`{key.text}` is among the coordinates of this choice, but is also replaced"
         help_ = "remove it here, or from its `coordinates`"
         raise ProblemError(Diagnostic("kept-and-replaced", message, key.span, help=help_))
     symbol = coordinate(key, context)

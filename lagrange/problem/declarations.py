@@ -215,7 +215,7 @@ def _coordinate(key: Scalar, value: Node | None, names: DeclaredNames) -> Coordi
 
 
 def _assumed_of_coordinate(name: str, value: Scalar) -> Diagnostic:
-    message = f"`{value.text}` is an assumption about a parameter, and `{name}` is a coordinate"
+    message = f"`{value.text}` is an assumption about a parameter, but `{name}` is a coordinate"
     help_ = f"write `{name}: {{range: [0, 10 m]}}` for where it may lie; what stands after the colon is its meaning"
     return Diagnostic("assumed-of-coordinate", message, value.span, help=help_, level=Severity.NOTE)
 

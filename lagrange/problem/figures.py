@@ -125,7 +125,7 @@ class _FigureBeingRead:
         )
         number = sum(len(p) for p in (points, figure.lines, pulleys, figure.circles, figure.curves, figure.marks))
         if number > MOST_DRAWN:
-            message = f"the figure has {number} parts, and {MOST_DRAWN} can be drawn"
+            message = f"the figure has {number} parts, but at most {MOST_DRAWN} can be drawn"
             self.context.diagnostics.report(
                 Diagnostic("figure-too-large", message, self.section.node.span, help="draw what the text speaks of")
             )

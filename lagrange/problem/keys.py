@@ -163,7 +163,7 @@ SHAPE = Keys(
     "a shape",
     (
         Key("disc", "expression", "A disc of this radius, across the third axis of the body.", example="R"),
-        Key("ring", "expression", "A ring of this radius, likewise."),
+        Key("ring", "expression", "A ring of this radius, also across the third axis."),
         Key("rod", ListOf("vector", 2, 2), "A rod between two places."),
         Key("box", ListOf("expression", 2, 2), "A box with these sides, along the first and second axis of the body."),
         Key("sphere", "expression", "A sphere of this radius."),
@@ -306,7 +306,7 @@ FORCES = {
         "Coulomb friction",
         (
             Key("friction", "expression", "Coulomb friction: its coefficient.", required=True, example="mu"),
-            Key("constraint", one_or_list("name"), "What presses; of a list the sum.", required=True, example="wall"),
+            Key("constraint", one_or_list("name"), "What presses; for a list, the sum.", required=True, example="wall"),
             _ON,
             Key("static", "expression", "The coefficient at rest: there friction takes any value up to static*N."),
             Key("at", "vector", "On a body: the point that touches."),
@@ -394,7 +394,7 @@ QUESTION = Keys(
             one_or_list("equation"),
             "The state it is asked for: equations joined by `and`, or a list.",
         ),
-        Key("by", "name", "Instead: a coordinate, or t, as a function of which it is wanted."),
+        Key("by", "name", "Instead of `when`: the coordinate, or t, of which the answer is a function."),
     ),
 )
 
@@ -409,7 +409,7 @@ ANSWERS = Keys(
         Key("reactions", Named("expression", new=False), "Reactions by the names of their constraints."),
         Key("rest", one_or_list("text"), "With friction: the conditions under which it can be at rest."),
         Key("frequencies", "alternatives", "Of small oscillations; lists in a list are those of several equilibria."),
-        Key("decay", "alternatives", "Decay rates of damped small oscillations, likewise: c/(2*m)."),
+        Key("decay", "alternatives", "Decay rates of damped small oscillations, in the same form: c/(2*m)."),
         Key("ask", Named(AnyOf(("expression", "equation")), new=False), "Of the questions, by their names."),
         Key(
             "hamiltonian", AnyOf(("expression", "equation")), "Hamilton's function, in coordinates and momenta p_theta."

@@ -249,7 +249,7 @@ def _refusal(symbol: sp.Symbol, kind: AllowedQuantity, what: str, fragment: Frag
         help_ = allowed.help
         if kind is AllowedQuantity.UNKNOWN:
             help_ = f"declare `{symbol}` under `parameters:`; conditions may be solved for it in the answers"
-        return Diagnostic(allowed.code, f"{what} must be constant, and {named} varies", place, help=help_)
+        return Diagnostic(allowed.code, f"{what} must be constant, but {named} varies", place, help=help_)
     return Diagnostic(allowed.code, f"{what} contains {named}", place, help=allowed.help)
 
 
@@ -370,7 +370,7 @@ class DeclaredNames:
 
     def report_symbol(self, name: str, vector: str, span: Span) -> None:
         """Notes that a name is that of a symbol and not of a vector: the radius r_A of a gear A, its first omega_A."""
-        message = f"`{name}` is {self.declared[name].what} here, and not {vector}"
+        message = f"`{name}` is {self.declared[name].what} here, not {vector}"
         help_ = "give the symbol another name where the vector is needed"
         self.diagnostics.report(Diagnostic("read-as", message, span, help=help_, level=Severity.NOTE))
 
@@ -380,7 +380,7 @@ class DeclaredNames:
         if len(read) != 1 or read[0].kind is not TokenKind.NAME:
             message, help_ = _misspelling(scalar.text, read, what)
         elif len(read[0].text) > MAX_NAME_LENGTH:
-            message = f"a name may have {MAX_NAME_LENGTH} characters, and this one has {len(read[0].text)}"
+            message = f"a name may have at most {MAX_NAME_LENGTH} characters; this one has {len(read[0].text)}"
             help_ = "put the explanation into `meaning`"
         else:
             return read[0].text

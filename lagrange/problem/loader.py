@@ -155,7 +155,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     if Find.LINEARIZATION in find and not choices and (relative := choice_relative_to_motion(constraints, scope.slots)):
         problem = replace(problem, choices=(relative,))
     if Find.IMPACT in find and impact is None and not root.has("impact"):
-        message = "an impact is asked for, and the file has no `impact`"
+        message = "an impact is asked for, but the file has no `impact`"
         help_ = "say what happens: `impact: {constraints: {wall: x = 0}}`, or `impulses: {blow: {on: P, vector: J*i}}`"
         diagnostics.report(Diagnostic("missing-key", message, root.span_of("find"), help=help_))
     if {*find} - {Find.CONSTRAINTS, Find.EQUILIBRIUM, Find.IMPENDING}:
@@ -246,11 +246,11 @@ def _check_whole(problem: Problem, root: Section, diagnostics: Diagnostics) -> N
     note_inertia(problem, diagnostics.report)
     note_unused(problem, root.get("parameters"), diagnostics.report)
     if problem.equations and (problem.particles or problem.bodies):
-        message = "the equations are given outright, and there are masses to derive them from"
+        message = "the equations are given, but there are also masses to derive them from"
         help_ = "keep `equations` (to check answers against) or the particles and bodies (to derive them)"
         diagnostics.report(Diagnostic("two-systems", message, root.span_of("equations"), help=help_))
     if root.get("lagrangian") is not None and (problem.particles or problem.bodies or problem.gravity is not None):
-        message = "the Lagrangian is given outright, and there are masses or a gravity to derive it from"
+        message = "the Lagrangian is given, but there are also masses or gravity to derive it from"
         help_ = "keep `lagrangian`, or the particles, bodies and gravity; massless points are `let` names"
         diagnostics.report(Diagnostic("two-systems", message, root.span_of("lagrangian"), help=help_))
     open_choices = [c for c in problem.choices if c.substitute is None]

@@ -170,12 +170,12 @@ def _inertia(node: Node | None, section: Section, context: LoadContext) -> tuple
     if node is None:
         return (sp.S.Zero,) * (1 if section.has("angle") else 3), NO_PRODUCTS
     if isinstance(node, Scalar) and node.text.lstrip().startswith("["):
-        message = "`inertia` is a list here, and not a text"
+        message = "`inertia` must be a list here, not a text"
         raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]` without quotes"))
     if not isinstance(node, ListNode):
         return (constant(node, "a moment of inertia", context, INERTIA),), NO_PRODUCTS
     if len(node.items) != 3:
-        message = f"`inertia` has one moment, or three principal moments, and not {len(node.items)}"
+        message = f"`inertia` has one moment, or three principal moments, not {len(node.items)}"
         raise ProblemError(Diagnostic("inertia", message, node.span, help=_INERTIA))
     if any(isinstance(row, ListNode) for row in node.items):
         tensor = _matrix(node, context)
@@ -275,7 +275,7 @@ def _with_axes(body: Body, section: Section, context: LoadContext) -> Body:
     node = section.required("axes", body.span)
     items = items_of(node, "`axes`", "axes: [e1, e2, e3]")
     if len(items) != 3:
-        raise ProblemError(wrong_kind(node, f"`axes` has three vectors, and not {len(items)}", "write `[e1, e2, e3]`"))
+        raise ProblemError(wrong_kind(node, f"`axes` has three vectors, not {len(items)}", "write `[e1, e2, e3]`"))
     a, b, c = (context.vector(i, f"an axis of `{body.name}`") for i in items)
     _check_triad((a, b, c), node, context)
     spin_node = section.required("angular_velocity", body.span)
@@ -429,7 +429,7 @@ def _exchange(mass: sp.Expr, section: Section, key: Scalar, context: LoadContext
     if not given:
         if rate == 0:
             return None
-        message = f"the mass of `{key.text}` varies, and nothing says with what velocity mass leaves or joins it"
+        message = f"the mass of `{key.text}` varies, but nothing says with what velocity mass leaves or joins it"
         raise ProblemError(Diagnostic("variable-mass", message, span, help=_LAW))
     if len(given) > 1:
         message, help_ = f"`{key.text}` both loses and gains mass", "keep the one of them that changes its mass"
@@ -437,12 +437,12 @@ def _exchange(mass: sp.Expr, section: Section, key: Scalar, context: LoadContext
     [way] = given
     at = section.span_of(way)
     if rate == 0:
-        message = f"`{key.text}` has `{way}`, and its mass is constant"
+        message = f"`{key.text}` has `{way}`, but its mass is constant"
         help_ = "give the mass as a function of time or of a coordinate, such as `mass: m_0 - q*t`"
         raise ProblemError(Diagnostic("mass-exchange", message, at, help=help_))
     if rate.is_negative if way == "gains" else rate.is_positive:
         change, other = ("decreases", "leaves") if way == "gains" else ("increases", "gains")
-        message = f"`{key.text}` has `{way}`, and its mass {change}"
+        message = f"`{key.text}` has `{way}`, but its mass {change}"
         raise ProblemError(Diagnostic("mass-exchange", message, at, help=f"write `{other}`, or correct the mass"))
     what = f"`{way}` of `{key.text}`"
     inner = Section(
@@ -552,7 +552,7 @@ def _report_circle(circle: list[_Entry], context: LoadContext) -> None:
     message = (
         f"{names[0]} is defined by itself"
         if len(names) == 1
-        else f"{', '.join(names[:-1])} and {names[-1]} are defined by one another"
+        else f"{', '.join(names[:-1])} and {names[-1]} are defined in terms of one another"
     )
     help_ = "write one of them without the others" if len(names) > 1 else "write it with other names"
     context.diagnostics.report(Diagnostic("circular-definition", message, ordered[0].key.span, help=help_))

@@ -153,7 +153,7 @@ def read_questions(node: Node | None, context: LoadContext, scope: Scope) -> tup
     questions: dict[str, Question] = {}
     entries = context.diagnostics.attempt(lambda: entries_of(node, "`ask`", _EXAMPLE)) or ()
     if len(entries) > MOST_QUESTIONS:
-        message = f"a problem may ask {MOST_QUESTIONS} questions, and this one asks {len(entries)}"
+        message = f"a problem may ask at most {MOST_QUESTIONS} questions; this one asks {len(entries)}"
         raise ProblemError(Diagnostic("too-many-questions", message, node.span, help="write two problem files"))
     for key, value in entries:
         question = context.diagnostics.attempt(partial(_question, key, value, context, scope))
@@ -206,7 +206,7 @@ def _parts_joined_by_and(fragment: Fragment) -> list[Fragment]:
 def _condition(fragment: Fragment, what: str, context: LoadContext, scope: Scope) -> Condition:
     span = fragment.span(0, len(fragment.text))
     if sign := re.search("[<>≤≥]", fragment.text):
-        message = f"the `when` of {what} has equations only, and no `{sign[0]}`"
+        message = f"the `when` of {what} takes equations only, not `{sign[0]}`"
         help_ = (
             "leave it out: the initial state is no answer, and of several states that which is reached first is given"
         )
@@ -294,7 +294,7 @@ def with_initial_before(problem: Problem) -> Problem:
     before = {v.symbol: v for v in impact.before}
     for v in problem.initial:
         if v.value != before.setdefault(v.symbol, v).value:
-            message = f"`{v.symbol}` has another value just before the impact, at t = 0"
+            message = f"`{v.symbol}` has different values at t = 0 and just before the impact"
             help_ = "the motion begins with the impact: give its state once, as `before` under `impact`"
             raise ProblemError(Diagnostic("two-starts", message, v.span, help=help_))
     return replace(problem, initial=(), impact=replace(impact, before=tuple(before.values())))

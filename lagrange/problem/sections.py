@@ -142,12 +142,20 @@ OTHER_QUESTIONS = {
 OTHER_KEYS = {
     "masses": "particles", "rigid_bodies": "bodies", "constants": "parameters",
     "params": "parameters", "variables": "coordinates", "choices": "generalized_coordinates",
-    "generalised_coordinates": "generalized_coordinates", "name": "title", "springs": "forces", "dampers": "forces",
-    "loads": "forces", "potential": "forces", "friction": "forces", "questions": "ask", "initial_conditions": "initial",
+    "generalised_coordinates": "generalized_coordinates", "name": "title", "loads": "forces",
+    "questions": "ask", "initial_conditions": "initial",
     "g": "gravity", "expect": "answers", "solution": "answers", "solutions": "answers", "text": "description",
     "quasi_velocities": "speeds", "quasivelocities": "speeds",
 }  # fmt: skip
 """Keys as one might guess them, of the sections that have those keys."""
+ENTRIES_OF_FORCES = {
+    **dict.fromkeys(("spring", "springs"), "s: {spring: k, between: [O, P], length: l}"),
+    **dict.fromkeys(("damper", "dampers"), "d: {damper: c, between: [O, P]}"),
+    **dict.fromkeys(("potential", "potentials"), "field: {potential: k*x^2/2}"),
+    **dict.fromkeys(("friction",), "rub: {friction: mu, constraint: plane, on: P}"),
+    **dict.fromkeys(("torque", "torques", "moments", "couples"), "drive: {on: wheel, moment: M*k}"),
+}
+"""Kinds of forces that one might take for sections, each as an entry of `forces`."""
 OTHER_ENTRY_KEYS = {
     **dict.fromkeys(("torque", "couple"), "moment"), **dict.fromkeys(("force", "f"), "vector"),
     **dict.fromkeys(("point", "applied_at", "point_of_application"), "at"),
@@ -203,6 +211,8 @@ class Section:
             return VARYING_PART
         if "vector" in self.form.names and key.text in ("gravity", "weight", "g"):
             return "weights come from the masses: write `gravity: -g*j` beside `forces`, not in it"
+        if "forces" in self.form.names and key.text.lower() in ENTRIES_OF_FORCES:
+            return f"write it as a force: `forces: {{{ENTRIES_OF_FORCES[key.text.lower()]}}}`"
         if self.what == "`points`" and key.text[:1].isupper():
             return "`points` are the marks of an answer: give a place its name by `let: {r_A: l*i}`"
         for other in (OTHER_KEYS.get(key.text.lower()), OTHER_ENTRY_KEYS.get(key.text.lower())):

@@ -174,7 +174,7 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
         Assumption.ACUTE: not (number > 0 and number < sp.pi / 2),
     }
     if wrong[assume]:
-        message = f"the value {fragment.text} contradicts that the parameter is {IN_WORDS[assume]}"
+        message = f"the value {fragment.text} contradicts the assumption that the parameter is {IN_WORDS[assume]}"
         help_ = "change the value, or say `assume: real`"
         raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
     if isinstance(symbol, Bounded) and (number < symbol.low or number > symbol.high):
@@ -323,7 +323,9 @@ def _setting(setting: Fragment, known: Mapping[str, Parameter], coordinates: Seq
     written, equals, value = setting.text.partition("=")
     help_ = "write the name of a parameter and its value: `--set l=0.3`, `--set 'l=30 cm'`"
     if not equals or not written.strip() or not value.strip():
-        raise ProblemError(Diagnostic("bad-setting", f"`{setting.text}` gives no value", setting.whole, help=help_))
+        raise ProblemError(
+            Diagnostic("bad-setting", f"`{setting.text}` does not give a value", setting.whole, help=help_)
+        )
     name = canonical_name(written) or written.strip()
     at = len(setting.text) - len(value.lstrip())
     text = value.strip()
@@ -362,7 +364,7 @@ def check_dimensions(problem: Problem) -> None:
             expected = "a number or an angle"
         message = f"the unit of `{p.symbol}` does not fit its place in the problem"
         given = unit_of(p.unit)
-        help_ = f"`{p.symbol}` has to be {expected} in SI units, and this is {si_unit(given) if given else p.unit}"
+        help_ = f"`{p.symbol}` has to be {expected} in SI units, but this is {si_unit(given) if given else p.unit}"
         help_ += _weight_for_mass(given, Unit(sp.S.One, needed[p.symbol]))
         raise ProblemError(Diagnostic("unit-mismatch", message, p.value_span, help=help_))
 
@@ -382,7 +384,9 @@ def note_inertia(problem: Problem, report: Callable[[Diagnostic], None]) -> None
         stated = [[(e, _dimension(unit)) for e, unit in places] for places in (size, [*size, *moments])]
         without, whole = (dimensions_needed(places, known) for places in stated)
         if without is not None and whole is None:
-            message = f"the moment of inertia of `{body.name}` is no mass times the square of a length"
+            message = (
+                f"the moment of inertia of `{body.name}` does not have the dimension of a mass times a length squared"
+            )
             help_ = "check its formula: that of a rod of length l is m*l^2/12, of a disc m*R^2/2"
             report(Diagnostic("inertia-dimension", message, body.span, help=help_, level=Severity.NOTE))
 

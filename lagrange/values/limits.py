@@ -9,10 +9,10 @@ SPARE_DIGITS = 20
 """Digits beyond those printed, so that rounding them is not decided by an error."""
 
 MOST_BOXES = 3_000
-"""Boxes of one search for roots. One unknown takes 20 to 200, two take 200 to 2,000; a box takes about 2 ms."""
+"""Boxes of one search for roots. One unknown takes 20 to 200, two take 200 to 2,000; a box takes about 0.2 ms."""
 
 MOST_OPERATIONS = 400_000
-"""Operations of the equations and their derivatives in all boxes of a search: 10 s."""
+"""Operations of the equations and their derivatives in all boxes of a search: 1 s."""
 
 LARGEST_IN_NUMBERS = 2_000
 """Operations of an expression that is given in numbers: a longer one is not shown in full anyway."""

@@ -16,14 +16,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
-from itertools import combinations, product
-from typing import Any
+from itertools import combinations
+from itertools import product as combined
+from typing import Any, TypeAlias
 
 import mpmath
 import sympy as sp
-from mpmath import iv
 
+from lagrange.algebra.closed_forms.intervals import Interval, IntervalProgram, outward, product, scaled, total
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.values.limits import (
@@ -38,11 +38,7 @@ from lagrange.values.limits import (
     WORKING_DIGITS,
 )
 
-RootBox = list[Any]  # of intervals
-
-
-class _NoValueError(Exception):
-    """An expression has no value in a part of a box."""
+RootBox: TypeAlias = list[Interval]
 
 
 @record
@@ -71,30 +67,29 @@ def real_roots(
 
     starts  where Newton's iteration starts, as parts of the width of the search, also with one or two unknowns
     """
-    jacobian = [[e.diff(u) for u in unknowns] for e in equations]
-    waiting: list[RootBox] = [[iv.mpf(list(ends)) for ends in search]]
+    system = _System(equations, unknowns)
+    waiting: list[RootBox] = [[(float(low), float(high)) for low, high in search]]
     widths = [float(high) - float(low) for low, high in search]
     roots: list[NumericalRoot] = []
     undecided: list[RootBox] = []
-    operations = sum(count_operations(e) + 1 for row in (equations, *jacobian) for e in row)
-    most, boxes = min(MOST_BOXES, MOST_OPERATIONS // operations), 0
+    most, boxes = min(MOST_BOXES, MOST_OPERATIONS // system.operations), 0
     several = len(unknowns) > 2
     if several or starts:
-        roots += _from_starts(equations, jacobian, unknowns, search, starts or STARTS)
+        roots += _from_starts(system, search, starts or STARTS)
     while waiting and boxes < most:
         boxes += 1
         box = waiting.pop()
-        if _is_excluded(equations, unknowns, box) or any(_contains(r.box, box) for r in roots):
+        if system.excludes(box) or any(_contains(r.box, box) for r in roots):
             continue
         larger = [_inflated(x) for x in box]
-        mapped = _krawczyk(equations, jacobian, unknowns, larger)
+        mapped = system.krawczyk(larger)
         if several and mapped is not None:
             smaller = _common(mapped, box)
             if smaller is None:
                 continue
             if _size(smaller, widths) < 0.5 * _size(box, widths):
                 box = smaller
-        root = _confirmed(equations, jacobian, unknowns, larger, mapped)
+        root = _confirmed(system, larger, mapped)
         if root is not None:
             if not any(_same(root, other) for other in roots):
                 roots.append(root)
@@ -120,51 +115,47 @@ def signs_of_minors(
     matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: NumericalRoot
 ) -> dict[tuple[int, ...], int | None]:
     """The signs of all principal minors of a symmetric matrix at a root, by their rows, likewise."""
-    entries = [[_value_at(x, unknowns, root) for x in row] for row in matrix]
-    known = all(x is not None for row in entries for x in row)
+    entries = [_all([_value_at(x, unknowns, root) for x in row]) for row in matrix]
+    known = [row for row in entries if row is not None]
     size = range(len(matrix))
     every = (rows for n in size for rows in combinations(size, n + 1))
-    return {rows: _sign(_determinant(entries, rows)) if known else None for rows in every}
+    return {rows: _sign(_determinant(known, rows)) if len(known) == len(matrix) else None for rows in every}
 
 
-def _determinant(entries: Sequence[Sequence[Any]], rows: Sequence[int], columns: Sequence[int] | None = None) -> Any:
+def _determinant(
+    entries: Sequence[Sequence[Interval]], rows: Sequence[int], columns: Sequence[int] | None = None
+) -> Interval:
     """By expansion: the entries are enclosed tightly, and rows are few."""
     columns = rows if columns is None else columns
     if not rows:
-        return iv.mpf(1)
-    minors = (_determinant(entries, rows[1:], [*columns[:n], *columns[n + 1 :]]) for n in range(len(columns)))
-    terms = ((-1) ** n * entries[rows[0]][k] * minor for (n, k), minor in zip(enumerate(columns), minors, strict=True))
-    return sum(terms, iv.mpf(0))
+        return 1.0, 1.0
+    whole = (0.0, 0.0)
+    for n, k in enumerate(columns):
+        minor = _determinant(entries, rows[1:], [*columns[:n], *columns[n + 1 :]])
+        whole = total(whole, scaled((-1) ** n, product(entries[rows[0]][k], minor)))
+    return whole
 
 
-def _value_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: NumericalRoot) -> Any | None:
-    tight = [iv.mpf([v - abs(v) * 1e-12 - 1e-14, v + abs(v) * 1e-12 + 1e-14]) for v in map(float, root.values)]
-    try:
-        return _enclosure(e, dict(zip(unknowns, tight, strict=True)), {})
-    except _NoValueError:
-        return None
+def _value_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: NumericalRoot) -> Interval | None:
+    tight = [(v - abs(v) * 1e-12 - 1e-14, v + abs(v) * 1e-12 + 1e-14) for v in map(float, root.values)]
+    return IntervalProgram([e], unknowns).at(tight)[0]
 
 
-def _sign(value: Any | None) -> int | None:
-    return None if value is None else 1 if value.a > 0 else -1 if value.b < 0 else None
+def _sign(value: Interval | None) -> int | None:
+    return None if value is None else 1 if value[0] > 0 else -1 if value[1] < 0 else None
 
 
-def _width(x: Any) -> float:
-    return float(mpmath.mpf(x.b) - mpmath.mpf(x.a))
+def _width(x: Interval) -> float:
+    return x[1] - x[0]
 
 
-def _ends(x: Any) -> tuple[float, float]:
-    return float(mpmath.mpf(x.a)), float(mpmath.mpf(x.b))
-
-
-def _inflated(x: Any) -> Any:
-    low, high = _ends(x)
-    margin = INFLATION * (high - low) + 1e-300
-    return iv.mpf([low - margin, high + margin])
+def _inflated(x: Interval) -> Interval:
+    margin = INFLATION * _width(x) + 1e-300
+    return x[0] - margin, x[1] + margin
 
 
 def _contains(outer: Sequence[tuple[float, float]], box: RootBox) -> bool:
-    return all(low <= a and b <= high for (low, high), (a, b) in zip(outer, map(_ends, box), strict=True))
+    return all(low <= a and b <= high for (low, high), (a, b) in zip(outer, box, strict=True))
 
 
 def _same(root: NumericalRoot, other: NumericalRoot) -> bool:
@@ -175,74 +166,76 @@ def _same(root: NumericalRoot, other: NumericalRoot) -> bool:
 
 def _halves(box: RootBox, widths: Sequence[float]) -> list[RootBox]:
     at = max(range(len(box)), key=lambda n: _width(box[n]) / widths[n])
-    low, high = _ends(box[at])
+    low, high = box[at]
     cut = low + CUT * (high - low)
-    return [[*box[:at], iv.mpf(ends), *box[at + 1 :]] for ends in ([low, cut], [cut, high])]
+    return [[*box[:at], ends, *box[at + 1 :]] for ends in ((low, cut), (cut, high))]
 
 
-def _is_excluded(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], box: RootBox) -> bool:
-    known: dict[sp.Basic, Any] = {}
-    places = dict(zip(unknowns, box, strict=True))
-    for e in equations:
-        try:
-            value = _enclosure(e, places, known)
-        except _NoValueError:
-            continue
-        if value.a > 0 or value.b < 0:
-            return True
-    return False
+class _System:
+    """The equations and their Jacobian, as they are and as programs."""
+
+    def __init__(self, equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> None:
+        self.equations, self.unknowns = equations, unknowns
+        self.jacobian = [[e.diff(u) for u in unknowns] for e in equations]
+        self.operations = sum(count_operations(e) + 1 for row in (equations, *self.jacobian) for e in row)
+        self._ranges = IntervalProgram(equations, unknowns)
+        self._slopes = IntervalProgram(self.entries, unknowns)
+
+    @property
+    def entries(self) -> list[sp.Expr]:
+        """The Jacobian, row by row."""
+        return [d for row in self.jacobian for d in row]
+
+    def excludes(self, box: RootBox) -> bool:
+        """Whether some equation has no zero in a box."""
+        return any(value is not None and not value[0] <= 0 <= value[1] for value in self._ranges.at(box))
+
+    def krawczyk(self, box: RootBox) -> RootBox | None:
+        """K(X), which contains every root in X; None if it has no value."""
+        size = range(len(box))
+        middle = [(low + high) / 2 for low, high in box]
+        at = [(m, m) for m in middle]
+        f, slopes, enclosed = _all(self._ranges.at(at)), _all(self._slopes.at(at)), _all(self._slopes.at(box))
+        if f is None or slopes is None or enclosed is None:
+            return None
+        centred = [(low + high) / 2 for low, high in slopes]
+        inverse = _inverse([centred[len(box) * n : len(box) * (n + 1)] for n in size])
+        if inverse is None:
+            return None
+        mapped = []
+        for n in size:
+            value = at[n]
+            for k in size:
+                value = total(value, scaled(-inverse[n][k], f[k]))
+            for j in size:
+                entry = (1.0, 1.0) if n == j else (0.0, 0.0)
+                for k in size:
+                    entry = total(entry, scaled(-inverse[n][k], enclosed[len(box) * k + j]))
+                value = total(value, product(entry, outward(box[j][0] - middle[j], box[j][1] - middle[j])))
+            mapped.append(value)
+        return mapped
 
 
-def _krawczyk(
-    equations: Sequence[sp.Expr], jacobian: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], box: RootBox
-) -> RootBox | None:
-    """K(X), which contains every root in X; None if it has no value."""
-    size = len(box)
-    middle = [iv.mpf((_ends(x)[0] + _ends(x)[1]) / 2) for x in box]
-    try:
-        at = dict(zip(unknowns, middle, strict=True))
-        known: dict[sp.Basic, Any] = {}
-        f = [_enclosure(e, at, known) for e in equations]
-        slope = [[sum(_ends(_enclosure(d, at, known))) / 2 for d in row] for row in jacobian]
-        everywhere: dict[sp.Basic, Any] = {}
-        over = dict(zip(unknowns, box, strict=True))
-        enclosed = [[_enclosure(d, over, everywhere) for d in row] for row in jacobian]
-    except _NoValueError:
-        return None
-    inverse = _inverse(slope)
-    if inverse is None:
-        return None
-    mapped = []
-    for n in range(size):
-        value = middle[n] - sum(inverse[n][k] * f[k] for k in range(size))
-        for j in range(size):
-            entry = int(n == j) - sum(inverse[n][k] * enclosed[k][j] for k in range(size))
-            value += entry * (box[j] - middle[j])
-        mapped.append(value)
-    return mapped
+def _all(values: Sequence[Interval | None]) -> list[Interval] | None:
+    """The values, if there is none without one."""
+    known = [v for v in values if v is not None]
+    return known if len(known) == len(values) else None
 
 
-def _confirmed(
-    equations: Sequence[sp.Expr],
-    jacobian: Sequence[Sequence[sp.Expr]],
-    unknowns: Sequence[sp.Symbol],
-    box: RootBox,
-    mapped: RootBox | None,
-) -> NumericalRoot | None:
+def _confirmed(system: _System, box: RootBox, mapped: RootBox | None) -> NumericalRoot | None:
     """The root in a box, if Krawczyk's operator proves that there is exactly one."""
-    if mapped is None or not all(k.a > x.a and k.b < x.b for k, x in zip(mapped, box, strict=True)):
+    if mapped is None or not all(k[0] > x[0] and k[1] < x[1] for k, x in zip(mapped, box, strict=True)):
         return None
-    values = _refined(equations, jacobian, unknowns, [sum(_ends(x)) / 2 for x in box])
-    ends = tuple(map(_ends, box))
-    if values is None or not all(lo < v < hi for v, (lo, hi) in zip(values, ends, strict=True)):
+    values = _refined(system, [(low + high) / 2 for low, high in box])
+    if values is None or not all(low < v < high for v, (low, high) in zip(values, box, strict=True)):
         return None
-    return NumericalRoot(values, ends)
+    return NumericalRoot(values, tuple(box))
 
 
 def _common(mapped: RootBox, box: RootBox) -> RootBox | None:
     """What two boxes have in common; None if that is nothing."""
-    both = [(max(_ends(k)[0], _ends(x)[0]), min(_ends(k)[1], _ends(x)[1])) for k, x in zip(mapped, box, strict=True)]
-    return None if any(low > high for low, high in both) else [iv.mpf(list(ends)) for ends in both]
+    both = [(max(k[0], x[0]), min(k[1], x[1])) for k, x in zip(mapped, box, strict=True)]
+    return None if any(low > high for low, high in both) else both
 
 
 def _size(box: RootBox, widths: Sequence[float]) -> float:
@@ -250,30 +243,26 @@ def _size(box: RootBox, widths: Sequence[float]) -> float:
 
 
 def _from_starts(
-    equations: Sequence[sp.Expr],
-    jacobian: Sequence[Sequence[sp.Expr]],
-    unknowns: Sequence[sp.Symbol],
-    search: Sequence[tuple[float, float]],
-    starts: Sequence[float],
+    system: _System, search: Sequence[tuple[float, float]], starts: Sequence[float]
 ) -> list[NumericalRoot]:
     """Roots to which Newton's iteration leads from a grid, each proved in a small box around it.
 
     With three unknowns and more the boxes of the search are many, and these roots are known whether it ends or not.
     """
     roots: list[NumericalRoot] = []
-    size = len(unknowns)
-    program = _Program([*equations, *(d for row in jacobian for d in row)], unknowns)
+    size = len(system.unknowns)
+    program = _Program([*system.equations, *system.entries], system.unknowns)
     grid = [[low + (high - low) * part for part in starts] for low, high in search]
-    for start in product(*grid):
+    for start in combined(*grid):
         place = _iterated(program, size, start)
         if place is None or not all(low <= x <= high for x, (low, high) in zip(place, search, strict=True)):
             continue
         if any(all(low <= x <= high for x, (low, high) in zip(place, r.box, strict=True)) for r in roots):
             continue
         for part in (1e-2, 1e-4, 1e-6):
-            near = [iv.mpf([x - part * (high - low), x + part * (high - low)])
-                    for x, (low, high) in zip(place, search, strict=True)]  # fmt: skip
-            root = _confirmed(equations, jacobian, unknowns, near, _krawczyk(equations, jacobian, unknowns, near))
+            margins = [part * (high - low) for low, high in search]
+            near = [(x - margin, x + margin) for x, margin in zip(place, margins, strict=True)]
+            root = _confirmed(system, near, system.krawczyk(near))
             if root is not None:
                 roots += [root] if not any(_same(root, other) for other in roots) else []
                 break
@@ -363,18 +352,13 @@ def _inverse(matrix: Sequence[Sequence[float]]) -> list[list[float]] | None:
     return [row[size:] for row in rows]
 
 
-def _refined(
-    equations: Sequence[sp.Expr],
-    jacobian: Sequence[Sequence[sp.Expr]],
-    unknowns: Sequence[sp.Symbol],
-    start: Sequence[float],
-) -> tuple[sp.Float, ...] | None:
+def _refined(system: _System, start: Sequence[float]) -> tuple[sp.Float, ...] | None:
     """Newton's iteration to full precision."""
     values = [sp.Float(x, 2 * WORKING_DIGITS) for x in start]
     for _ in range(60):
-        rule = dict(zip(unknowns, values, strict=True))
-        residual = sp.Matrix([e.xreplace(rule).evalf(2 * WORKING_DIGITS) for e in equations])
-        slope = sp.Matrix([[d.xreplace(rule).evalf(2 * WORKING_DIGITS) for d in row] for row in jacobian])
+        rule = dict(zip(system.unknowns, values, strict=True))
+        residual = sp.Matrix([e.xreplace(rule).evalf(2 * WORKING_DIGITS) for e in system.equations])
+        slope = sp.Matrix([[d.xreplace(rule).evalf(2 * WORKING_DIGITS) for d in row] for row in system.jacobian])
         if not all(x.is_number and x.is_real for x in (*residual, *slope)):
             return None
         step = _solved(slope, residual)
@@ -401,80 +385,3 @@ def _solved(slope: sp.Matrix, residual: sp.Matrix) -> list[sp.Float] | None:
             return [sp.Float(x, digits) for x in mpmath.lu_solve(mpmath.matrix(rows), mpmath.matrix(right))]
         except (ZeroDivisionError, ValueError):
             return None
-
-
-def _enclosure(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic, Any]) -> Any:
-    """An interval that contains all values of an expression over a box. Raises _NoValueError."""
-    value = known.get(e)
-    if value is None:
-        try:
-            value = known[e] = _evaluated(e, places, known)
-        except (ValueError, ZeroDivisionError, OverflowError, mpmath.libmp.ComplexResult):
-            raise _NoValueError from None
-        if not (abs(_ends(value)[0]) < float("inf") and abs(_ends(value)[1]) < float("inf")):
-            raise _NoValueError
-    return value
-
-
-def _evaluated(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic, Any]) -> Any:
-    if e.is_Symbol:
-        return places[e]
-    if not e.args:
-        return _constant(e)
-    parts = [_enclosure(a, places, known) for a in e.args]
-    if e.is_Add:
-        return sum(parts[1:], parts[0])
-    if e.is_Mul:
-        product = parts[0]
-        for p in parts[1:]:
-            product = product * p
-        return product
-    if e.is_Pow:
-        return _power(parts[0], e.exp)
-    name = {sp.sin: "sin", sp.cos: "cos", sp.exp: "exp", sp.log: "log"}.get(e.func)
-    if name is not None:
-        if name == "log" and parts[0].a <= 0:
-            raise _NoValueError
-        return getattr(iv, name)(parts[0])
-    if isinstance(e, sp.tan | sp.cot):
-        sine, cosine = iv.sin(parts[0]), iv.cos(parts[0])
-        above, below = (sine, cosine) if isinstance(e, sp.tan) else (cosine, sine)
-        if below.a <= 0 <= below.b:
-            raise _NoValueError
-        return above / below
-    if isinstance(e, sp.Abs):
-        return abs(parts[0])
-    if isinstance(e, sp.sign):  # the slope of a modulus, [-1, 1] across the kink
-        return iv.mpf(1) if parts[0].a > 0 else iv.mpf(-1) if parts[0].b < 0 else iv.mpf([-1, 1])
-    if isinstance(e, sp.DiracDelta) and (parts[0].a > 0 or parts[0].b < 0):
-        return iv.mpf(0)
-    raise _NoValueError
-
-
-def _power(base: Any, exponent: sp.Expr) -> Any:
-    if not exponent.is_Rational or exponent.q not in (1, 2):
-        raise _NoValueError
-    if exponent.q == 2:
-        if base.a < 0:
-            raise _NoValueError
-        base = iv.sqrt(base)
-    power = abs(int(exponent.p))
-    result = base**power
-    if exponent < 0:
-        if result.a <= 0 <= result.b:
-            raise _NoValueError
-        result = 1 / result
-    return result
-
-
-@lru_cache(maxsize=1 << 12)
-def _constant(e: sp.Expr) -> Any:
-    """An interval around a number."""
-    if e.is_Rational:
-        return iv.mpf(int(e.p)) / int(e.q)
-    if e.is_Float:
-        low = mpmath.mpf(str(e))
-        return iv.mpf([low - abs(low) * 1e-15, low + abs(low) * 1e-15])
-    if e == sp.pi:
-        return +iv.pi
-    raise _NoValueError

@@ -29,6 +29,12 @@ def test_a_token_is_where_it_stands(text: str) -> None:
     assert "".join(t.text for t in found) == text.replace(" ", "")
 
 
+def test_the_mass_of_an_electron_and_that_of_the_sun_are_numbers() -> None:
+    """Few digits, and powers of ten for which 30 digits would not do."""
+    for text in ("9.109e-31", "1.989e30"):
+        assert kinds(text) == [(TokenKind.NUMBER, text)]
+
+
 def test_a_power_of_ten_is_one_number_unless_e_is_declared() -> None:
     assert len(kinds("2e3")) == 1
     assert len(kinds("2e3", scientific=False)) > 1

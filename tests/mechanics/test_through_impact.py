@@ -113,7 +113,7 @@ def test_reactions_of_new_constraints_while_they_act() -> None:
 def test_the_initial_state_is_that_just_before_the_impact() -> None:
     moved = FLOOR.replace("x: 0, y: 0, ", "") + "initial: {x: 0, y: 0, x': w}\n"
     assert equal(answers(solved(moved))["push"], "m*g")
-    with pytest.raises(ProblemError, match="`x` has another value just before"):
+    with pytest.raises(ProblemError, match="`x` has different values at t = 0 and just before"):
         read_problem(Source("case.yaml", FLOOR + "initial: {x: 1}\n"))
     with pytest.raises(ProblemError, match="not with `initial`"):
         solve(read_problem(Source("case.yaml", FLOOR + "initial: {x: 0}\nfind: [motion, impact]\n")))

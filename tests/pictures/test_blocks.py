@@ -16,6 +16,7 @@ from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.system_drawing import configuration_scene
 from lagrange.pictures.systems import system_in_file
 from tests.pictures.test_inferred import drawn, lines
+from tests.support.drawings import lines_of, sketched
 
 ONE = "parameters: [m, k, a, g]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
 SPRING = ONE + "forces: {s: {spring: k, between: [[-a, 0], P], length: a}}\n"
@@ -170,3 +171,127 @@ def test_a_weightless_frame_stands_on_its_floor() -> None:
     scene = drawn("A stepladder on a smooth floor", FRAME)
     assert (lines(scene, StrokeKind.GROUND), lines(scene, StrokeKind.ROD)) == (1, 0)
     assert lines(drawn("A stepladder", FRAME), StrokeKind.GROUND) == 0
+
+
+# What carries something else
+
+
+def faces(scene: Scene) -> list[tuple[tuple[float, float], ...]]:
+    return [line.points for line in scene.lines if line.closed]
+
+
+CUT = (
+    "axes: {i: right, j: up}\nparameters: [m, M, R, g]\ncoordinates: [X, x, y]\ngravity: -g*j\n"
+    "particles: {block: {mass: M, position: X*i}, P: {mass: m, position: x*i + y*j}}\n"
+    "constraints: {cut: {equation: (x - X)^2 + y^2 <= R^2, reaction: N, by: surface}}\n"
+    "generalized_coordinates: {angle: {coordinates: [X, q], substitute: {x: X - R*cos(q), y: -R*sin(q)}}}\n"
+)
+
+
+def test_a_hollow_in_a_block_is_no_rod() -> None:
+    scene = sketched("A block with a circular cut", CUT)
+    assert lines_of(scene, StrokeKind.ROD) == []
+    block = max(faces(scene), key=len)
+    particle = min(scene.dots, key=lambda d: d.at[1]).at
+    assert min(math.dist(particle, p) for p in block) < 0.3
+    [ground] = lines_of(scene, StrokeKind.GROUND)
+    assert ground.points[0][1] == pytest.approx(min(y for _, y in block))
+
+
+def test_two_faces_make_one_wedge_on_one_ground() -> None:
+    text = (
+        "axes: {i: right, j: up}\nparameters: {M: positive, m: positive, L: positive, g: positive, alpha: acute, beta: acute}\n"
+        "coordinates: [X, s, u]\ngravity: -g*j\nparticles:\n  wedge: {mass: M, position: X*i}\n"
+        "  A: {mass: m, position: X*i - s*(cos(alpha)*i + sin(alpha)*j)}\n"
+        "  B: {mass: m, position: X*i + u*(cos(beta)*i - sin(beta)*j)}\n"
+        "constraints: {string: {equation: s + u = L, reaction: T}}\n"
+    )
+    scene = sketched("Two blocks on a wedge", text)
+    [wedge] = [face for face in faces(scene) if len(face) == 3]
+    [ground] = lines_of(scene, StrokeKind.GROUND)
+    low = min(y for _, y in wedge)
+    assert sum(abs(y - low) < 1e-6 for _, y in wedge) == 2
+    assert ground.points[0][1] == pytest.approx(low)
+
+
+@pytest.mark.parametrize(("name", "boards"), [("plank", 1), ("stone", 0)])
+def test_a_plank_lies_under_what_moves_on_it(name: str, boards: int) -> None:
+    text = (
+        "axes: {i: right, j: up}\nparameters: [m, M, F]\ncoordinates: [X, s]\n"
+        f"particles: {{{name}: {{mass: M, position: X*i}}, man: {{mass: m, position: (X + s)*i}}}}\n"
+        f"forces: {{feet: {{on: man, vector: F*i}}, back: {{on: {name}, vector: -F*i}}}}\n"
+    )
+    scene = sketched("Walking on ice", text)
+    assert len(faces(scene)) == boards
+    if boards:
+        [board] = faces(scene)
+        [man] = [d.at for d in scene.dots if not d.open]
+        assert min(x for x, _ in board) < man[0] < max(x for x, _ in board)
+        assert 0 <= man[1] - max(y for _, y in board) < 0.1
+
+
+@pytest.mark.parametrize(("name", "grounds"), [("car", 1), ("boat", 0)])
+def test_a_vehicle_stands_on_a_road(name: str, grounds: int) -> None:
+    text = f"parameters: [m, F]\ncoordinates: [x]\nparticles: {{{name}: {{mass: m, position: x*i}}}}\n"
+    text += f"forces: {{pull: {{on: {name}, vector: F*i}}}}\n"
+    assert len(lines_of(sketched("Motion", text), StrokeKind.GROUND)) == grounds
+
+
+@pytest.mark.parametrize(("title", "grounds"), [("A rod slides between a wall and a floor", 2), ("A rod moves", 0)])
+def test_a_rod_that_coordinates_keep_in_a_corner_touches_wall_and_floor(title: str, grounds: int) -> None:
+    text = (
+        "axes: {i: right, j: up}\nparameters: [m, l, g]\ncoordinates: [q]\ngravity: -g*j\nbodies:\n"
+        "  rod: {mass: m, inertia: m*l^2/3, position: l*cos(q)*i + l*sin(q)*j, angle: -q}\n"
+    )
+    assert len(lines_of(sketched(title, text), StrokeKind.GROUND)) == grounds
+
+
+def test_a_raft_has_no_ground_and_a_cylinder_rolls_on_top_of_its_plank() -> None:
+    raft = (
+        "parameters: [m, M, F]\ncoordinates: [X, s]\nparticles: {raft: {mass: M, position: X*i}, "
+        "child: {mass: m, position: (X + s)*i}}\nforces: {feet: {on: child, vector: F*i}}\n"
+    )
+    assert lines_of(sketched("A child runs", raft), StrokeKind.GROUND) == []
+    plank = (
+        "axes: {i: right, j: up}\nparameters: [m, M, R, F, g]\ncoordinates: [x, y, q, X]\ngravity: -g*j\n"
+        "bodies: {cylinder: {mass: m, inertia: m*R^2/2, position: x*i + y*j, angle: -q}}\n"
+        "particles: {plank: {mass: M, position: X*i}}\nforces: {pull: {on: plank, vector: F*i}}\n"
+        "constraints: {contact: {equation: y >= R, reaction: N}, "
+        "rolling: {equation: \"x' - R*q' = X'\", reaction: f}}\n"
+    )
+    scene = sketched("A cylinder on a plank on a floor", plank)
+    [board] = [face for face in faces(scene) if len(face) == 4]
+    [ground] = lines_of(scene, StrokeKind.GROUND)
+    assert ground.points[0][1] == pytest.approx(min(y for _, y in board))
+    rim = max((line.points for line in scene.lines if line.closed), key=len)
+    assert min(y for _, y in rim) == pytest.approx(max(y for _, y in board), abs=0.02)
+
+
+def test_two_slopes_end_at_their_ridge() -> None:
+    text = (
+        "axes: {i: right, j: up}\nparameters: {W: positive, Q: positive, alpha: acute, beta: acute, L: positive}\n"
+        "coordinates: [s, u, n, v]\nparticles:\n"
+        '  A: {position: "-s*(cos(alpha)*i + sin(alpha)*j) + n*(-sin(alpha)*i + cos(alpha)*j)"}\n'
+        '  B: {position: "u*(cos(beta)*i - sin(beta)*j) + v*(sin(beta)*i + cos(beta)*j)"}\n'
+        "constraints:\n  one: {equation: n >= 0, reaction: N}\n  two: {equation: v >= 0, reaction: R}\n"
+        "  cord: {equation: s + u = L, reaction: T}\n"
+        "forces: {W: {on: A, vector: -W*j}, Q: {on: B, vector: -Q*j}}\nfind: equilibrium\n"
+    )
+    scene = sketched("Two blocks", text)
+    first, second = (line.points for line in lines_of(scene, StrokeKind.GROUND) if math.dist(*line.points) > 1.5)
+    assert min(math.dist(a, b) for a in first for b in second) < 1e-6
+
+
+def test_the_weight_of_a_block_on_a_plane_points_down() -> None:
+    text = (
+        "axes: {i: up the slope, j: normal to it}\nparameters: {W: positive, mu: positive, alpha: acute}\n"
+        "coordinates: [x, y]\nparticles: {block: {position: x*i + y*j}}\n"
+        "constraints: {plane: {equation: y >= 0, reaction: N}}\n"
+        "forces:\n  weight: {on: block, vector: -W*sin(alpha)*i - W*cos(alpha)*j}\n"
+        "  rub: {friction: mu, static: mu, constraint: plane, on: block, slip: -i}\nfind: equilibrium\n"
+    )
+    system = system_in_file(kinematics_and_law(lagrange.loads(f"title: A block\n{text}")))
+    assert system is not None
+    assert system.down is not None
+    x, y = system.page.way(system.pose.at(system.down))
+    assert abs(x) < 1e-9 > y

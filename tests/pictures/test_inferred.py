@@ -10,6 +10,7 @@ from lagrange.document.scene import Scene, StrokeKind
 from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.system_drawing import configuration_scene
 from lagrange.pictures.systems import system_in_file
+from tests.support.drawings import lines_of, sketched
 
 HEAD = "axes: {i: right, j: down}\ngravity: g*j\n"
 CIRCLE = "parameters: [m, l, g]\ncoordinates: [q]\nparticles: {P: {mass: m, position: l*sin(q)*i + l*cos(q)*j}}\n"
@@ -48,7 +49,13 @@ def lines(scene: Scene, kind: StrokeKind) -> int:
 
 @pytest.mark.parametrize(
     ("title", "rods", "strings", "curves"),
-    [("Pendulum", 1, 0, 0), ("Stone on a string", 0, 1, 0), ("Bead on a hoop", 0, 0, 1), ("Circular motion", 0, 0, 1)],
+    [
+        ("Pendulum", 1, 0, 0),
+        ("Pendulum with a string", 0, 1, 0),
+        ("Stone on a string", 0, 1, 0),
+        ("Bead on a hoop", 0, 0, 1),
+        ("Circular motion", 0, 0, 1),
+    ],
 )
 def test_what_keeps_a_distance_is_what_the_text_says(title: str, rods: int, strings: int, curves: int) -> None:
     scene = drawn(title, CIRCLE)
@@ -140,3 +147,37 @@ def test_a_hoop_that_turns_is_the_circle_of_its_bead() -> None:
     assert scene is not None
     assert lines(scene, StrokeKind.CURVE) == 1
     assert not lines(scene, StrokeKind.BODY)
+
+
+@pytest.mark.parametrize(("name", "strings"), [("string", 1), ("track", 0)])
+def test_a_one_sided_string_is_a_string_and_no_track(name: str, strings: int) -> None:
+    text = (
+        "parameters: [m, l, g]\ncoordinates: [rho, q]\n"
+        "particles: {P: {mass: m, position: rho*sin(q)*i + rho*cos(q)*j}}\n"
+        f"constraints: {{{name}: {{equation: rho <= l, reaction: T}}}}\n"
+    )
+    scene = drawn("A stone", text)
+    assert lines(scene, StrokeKind.STRING) == strings
+    arcs = [line for line in scene.lines if line.kind is StrokeKind.GROUND and len(line.points) > 2]
+    assert bool(arcs) is not bool(strings)
+
+
+def test_a_straight_wire_that_turns_in_space_is_drawn() -> None:
+    text = (
+        "axes: {k: up}\nparameters: {m: positive, g: positive, w: positive, alpha: acute}\ncoordinates: [r]\n"
+        "gravity: -g*k\nlet: {u: sin(alpha)*cos(w*t)*i + sin(alpha)*sin(w*t)*j + cos(alpha)*k}\n"
+        "particles: {bead: {mass: m, position: r*u}}\n"
+    )
+    assert len(lines_of(sketched("A bead slides on a straight wire", text), StrokeKind.ROD)) == 1
+    assert lines_of(sketched("A bead", text), StrokeKind.ROD) == []
+
+
+def test_both_links_of_a_toggle_are_drawn() -> None:
+    """B is at a constant distance from C, but does not turn with it about O: no frame."""
+    text = (
+        "axes: {i: right, j: up}\nparameters: [l, W, k]\ncoordinates: [q]\n"
+        "particles: {B: {position: [l*cos(q), l*sin(q)]}, C: {position: [2*l*cos(q), 0]}}\n"
+        "forces: {load: {on: B, vector: [0, -W]}, spring: {spring: k, between: [0*i, C], length: l, sense: positive}}\n"
+        "find: equilibrium\n"
+    )
+    assert len(lines_of(sketched("Two links", text), StrokeKind.ROD)) == 2

@@ -8,6 +8,7 @@ import sympy as sp
 import lagrange
 from lagrange.core.symbols import t
 from lagrange.mechanics.solution import kinematics_and_law
+from lagrange.pictures.limits import MOST_UNEQUAL
 from lagrange.pictures.poses import Pose, general_pose
 from tests.support.drawings import DRAWN, evaluated, system_of
 
@@ -80,3 +81,31 @@ def test_what_turns_with_time_is_seen_from_the_side() -> None:
     assert pose is not None
     turned = pose.values[t] * next(v for s, v in pose.values.items() if s.name == "Omega")
     assert turned == pytest.approx(1.25)
+
+
+@pytest.mark.parametrize(("radius", "pin"), [("150 mm", "60 mm"), ("3 m", "1.2 m")])
+def test_lengths_with_values_are_drawn_in_proportion_and_as_large_as_others(radius: str, pin: str) -> None:
+    """A disc of 150 mm hung 60 mm from its centre is the picture of one of 3 m hung 1.2 m from it."""
+    text = (
+        f"title: Disc\ngravity: g*j\naxes: {{j: down}}\nparameters: {{m: 2 kg, R: {radius}, d: {pin}, g: 9.81 m/s^2}}\n"
+        "coordinates: [theta]\nbodies:\n  disc: {mass: m, inertia: m*R^2/2, angle: -theta,\n"
+        "    position: d*sin(theta)*i + d*cos(theta)*j}\n"
+    )
+    configuration = kinematics_and_law(lagrange.loads(text)).own.configuration
+    pose = general_pose(lagrange.loads(text), configuration)
+    assert pose is not None
+    values = {s.name: v for s, v in pose.values.items()}
+    assert values["R"] == pytest.approx(2.0)
+    assert values["d"] == pytest.approx(0.8)
+
+
+def test_a_thin_axle_under_a_long_string_is_seen() -> None:
+    text = (
+        "title: Winch\naxes: {j: down}\ngravity: g*j\nparameters: {m: kg, r: 5 mm, L: 2 m, g: 9.81 m/s^2}\n"
+        "coordinates: [phi]\nparticles: {P: {mass: m, position: r*i + (L - r*phi)*j}}\n"
+    )
+    problem = lagrange.loads(text)
+    pose = general_pose(problem, kinematics_and_law(problem).own.configuration)
+    assert pose is not None
+    values = {s.name: v for s, v in pose.values.items()}
+    assert values["L"] / values["r"] == pytest.approx(MOST_UNEQUAL)

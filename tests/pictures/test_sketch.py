@@ -130,3 +130,13 @@ def test_a_wall_and_a_floor_meet_in_their_corner() -> None:
     sketch.join_corner()
     grounds = {line.points for line in sketch.lines if line.kind is StrokeKind.GROUND}
     assert grounds == {((0.0, 0.0), (0.0, 3.0)), ((4.0, 0.0), (0.0, 0.0))}
+
+
+def test_grounds_that_cross_are_cut_where_nothing_is_beyond() -> None:
+    sketch = Sketch()
+    sketch.ground([(-2.0, 0.0), (2.0, 0.0)])
+    sketch.ground([(0.0, 2.0), (0.0, -2.0)])
+    sketch.cut_grounds([(1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
+    ends = [line.points for line in sketch.lines if line.kind is StrokeKind.GROUND]
+    assert {frozenset(p) for p in ends} == {frozenset({(0.0, 0.0), (2.0, 0.0)}), frozenset({(0.0, 2.0), (0.0, -2.0)})}
+    assert all(min(x for x, _ in line.points) > -0.3 for line in sketch.lines if abs(line.points[0][1]) < 1e-9)

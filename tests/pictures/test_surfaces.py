@@ -16,7 +16,7 @@ from lagrange.core.symbols import UnitVector, VectorSymbol, differential, t
 from lagrange.document.scene import Scene, StrokeKind
 from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.floats import FloatVector
-from lagrange.pictures.solids import with_implied_shapes
+from lagrange.pictures.implied.body_shapes import with_implied_shapes
 from lagrange.pictures.surfaces import InSpace, constraints_in_space, surface
 from lagrange.pictures.systems import system_in_file
 from tests.support.drawings import figures, lines_of

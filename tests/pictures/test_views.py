@@ -49,3 +49,20 @@ def test_space_is_seen_from_where_the_file_says() -> None:
     assert found.toward_reader == pytest.approx((0, 1, 0))
     assert found.shown == (0, 2)
     assert not found.planar
+
+
+@pytest.mark.parametrize("axes", [{}, {"i": "right", "j": "front", "k": "down"}, {"k": "up"}, {"j": "up"}])
+@pytest.mark.parametrize("gravity", [(0, 0, 1), (0, 0, -1), (0, 2, 0), (1, 0, 0), (0.5, 0, -0.8), (-1, 2, 0.3)])
+def test_gravity_points_down_in_space(axes: dict[str, str], gravity: tuple[float, float, float]) -> None:
+    found = view(axes, frozenset({0, 1, 2})).upright(gravity, axes)
+    x, y = found.flat(gravity)
+    assert abs(x) < 1e-9
+    assert y < -0.1
+    rotation = sp.Matrix([[*u, d] for u, d in zip(found.units, found.toward_reader, strict=True)])
+    assert max(abs(e) for e in rotation * rotation.T - sp.eye(3)) < 1e-9
+    assert abs(float(rotation.det()) - 1) < 1e-9
+
+
+def test_depth_measured_downwards_is_below() -> None:
+    axes = {"i": "right", "j": "front", "k": "down"}
+    assert view(axes, frozenset({0, 1, 2})).flat((0.0, 0.0, 1.0))[1] < 0

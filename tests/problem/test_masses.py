@@ -50,9 +50,9 @@ def test_the_radius_of_a_gear_may_have_the_name_of_its_position() -> None:
     assert not {"r_P", "r_B", "omega_B"} & {*problem.scope.vectors}
     assert {"r_Q", "e1_B"} <= {*problem.scope.vectors}
     assert [d.message for d in problem.notes if d.code == "read-as"] == [
-        "`r_P` is a parameter here, and not the position of `P`",
-        "`r_B` is a coordinate here, and not the position of `B`",
-        "`omega_B` is a parameter here, and not the angular velocity of `B`",
+        "`r_P` is a parameter here, not the position of `P`",
+        "`r_B` is a coordinate here, not the position of `B`",
+        "`omega_B` is a parameter here, not the angular velocity of `B`",
     ]
 
 

@@ -6,7 +6,7 @@ import pytest
 
 import lagrange
 from lagrange.problem import keys
-from lagrange.problem.sections import OTHER_ENTRY_KEYS, OTHER_KEYS, OTHER_QUESTIONS
+from lagrange.problem.sections import ENTRIES_OF_FORCES, OTHER_ENTRY_KEYS, OTHER_KEYS, OTHER_QUESTIONS
 
 HEAD = "title: a\ncoordinates: [x]\n"
 PARTICLE = "particles: {P: {mass: m, position: x*i}}\n"
@@ -23,6 +23,10 @@ FREE = HEAD + "parameters: [m, g]\n" + PARTICLE
         (HEAD + "parameters: {m: {positive: true}}\n" + PARTICLE, "help: write `assume: positive`"),
         (HEAD + "parameters: {m: {min: 0}}\n" + PARTICLE, "help: write `range: [a, b]`"),
         (HEAD + "parameters: [m]\nmasses: {P: {mass: m, position: x*i}}\n", "help: write `particles`"),
+        (
+            FREE + "springs: {s: {spring: 3, between: [O, P]}}\n",
+            "`forces: {s: {spring: k, between: [O, P], length: l}}`",
+        ),
         (FREE + "forces: {gravity: -g*i}\n", "without the mass, beside `forces`: `gravity: -g*j`"),
         (FREE + "forces: {gravity: {vector: g*i}}\n", "without the mass, beside `forces`: `gravity: -g*j`"),
     ],
@@ -55,6 +59,20 @@ def test_other_words_are_no_keys_and_mean_keys() -> None:
         name for form in (*keys.FORCES.values(), keys.BODY, keys.PARTICLE, keys.CONSTRAINT) for name in form.names
     }
     assert set(OTHER_ENTRY_KEYS.values()) <= entries
+
+
+@pytest.mark.parametrize("entry", sorted(set(ENTRIES_OF_FORCES.values())))
+def test_the_force_shown_for_a_section_that_there_is_not_is_one(entry: str) -> None:
+    """`springs:` beside `forces:` is answered by an entry that can be copied."""
+    text = """title: a
+coordinates: [x, y]
+parameters: [m, k, l, c, mu, M, R]
+particles: {P: {mass: m, position: x*i + y*j}}
+bodies: {wheel: {mass: m, inertia: m*R^2, position: 2*l*i, angle: y/R}}
+constraints: {plane: y = 0}
+forces: {%s}
+"""
+    assert len(lagrange.loads(text % entry).forces) == 1
 
 
 @pytest.mark.parametrize(

@@ -53,7 +53,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "latex-argument": ("The argument of a command is in braces; without them it is one letter or digit.",
         r"\dot x^23 = 0"),
     "not-a-vector": ("Bold letters, arrows and hats belong to vectors.", r"\mathbf{x} = 0"),
-    "unknown-command": ("Answers have the commands of mathematics, and nothing is expanded.", r"\ddot{\thet} = 0"),
+    "unknown-command": ("Only mathematical commands are known, and macros that the answer itself defines.", r"\ddot{\thet} = 0"),
     "words-in-equation": ("Words stand beside an equation, not in it.", r"\theta = 0 + \text{a constant} + x"),
     "bad-exponent": ("A superscript is an integer.", "x⁻ = 0"),
     "bad-number": ("A number has one decimal point.", "1.2.3 = x"),
@@ -75,7 +75,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "constant-too-involved": ("A constant is worked out exactly; write it more simply, or as a parameter.", None),
     "division-by-vector": ("Divide by the length of the vector.", problem("let: {n: '(x*i)/(y*j)'}")),
     "division-by-zero": ("The divisor is exactly zero, always or wherever the constraints hold.", "x/(1 - 1) = 0"),
-    "empty-brackets": ("Something must stand between brackets.", "sin() = 0"),
+    "empty-brackets": ("There must be something between brackets.", "sin() = 0"),
     "empty-expression": ("Write an expression.", problem("let: {n: ' '}")),
     "empty-side": ("Both sides of an equation must be there; write 0 where nothing is left.", "theta'' ="),
     "ends-early": ("The expression stops where something must follow.", "theta'' = g +"),
@@ -104,8 +104,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "not-opened": ("Open the bracket, or remove this one.", "sin(theta)) = 0"),
     "not-real": ("The value is not a real number.", "sqrt(-1)*x = 0"),
     "number-of-arguments": ("The function takes another number of arguments.", "atan2(x) = 0"),
-    "number-too-large": ("The number that comes out is too large to be meant.", None),
-    "number-too-long": ("A number has 30 digits at most; make it a parameter with a `value`.",
+    "number-too-large": ("The result is too large to be intended.", None),
+    "number-too-long": ("A number has 30 digits at most, and a power of ten up to 40; make it a parameter with a `value`.",
         "3.14159265358979323846264338327950288 = x"),
     "prime-of-constant": ("A parameter is constant; what varies is a coordinate or a function `u: [t]`.", "m' = 0"),
     "prime-of-function": ("Write the derivative of a function with `diff`.", File(
@@ -120,7 +120,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "title: Example\ncoordinates: [x]\nparameters: [m, c]\nparticles: {P: {mass: m, position: c*x*i}}\n"
         "initial: {x: 2 m}\n")),
     "unexpected-character": ("This character means nothing here.", "theta'' @ gravity = 0"),
-    "unexpected-equation": ("An expression is wanted here, without an equals sign.", problem("gravity: g = 0")),
+    "unexpected-equation": ("An expression without an equals sign is required here.", problem("gravity: g = 0")),
     "unknown-function": ("Functions other than the known ones must be declared.", "erf(x) = 0"),
     "unknown-symbol": ("Every symbol must be declared; `ml` is one name, `m l` a product.",
         "m l theta'' + gr*sin(theta) = 0"),
@@ -139,7 +139,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "missing-space": ("A colon is followed by a space.", None),
     "more-mistakes": ("Only the first mistakes of a file are shown.", None),
     "factor-excluded": (
-        "A note: a factor without velocities vanishes somewhere. A constraint is taken where it does not.",
+        "A note: a factor without velocities vanishes somewhere. The constraint is considered where it does not.",
         problem("constraints: {skate: \"x*(x' - y')^2 = 0\"}")),
     "file-beside": (
         "A name without `.yaml` is a problem of the library, whatever files exist. The exit status is not changed.",
@@ -175,7 +175,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "bad-name": ("A name has letters, digits and underscores, and begins with a letter.", problem("let: {2x: x}")),
     "reserved-name": ("The name belongs to a function, to time, or to a unit vector.", File(
         "title: Example\ncoordinates: [t]\n")),
-    "circular-definition": ("Abbreviations and positions must not be defined by one another.",
+    "circular-definition": ("Abbreviations and positions must not be defined in terms of one another.",
         problem("let: {a: b, b: a}")),
     "circular-substitution": ("Write each old coordinate in terms of the chosen ones.", problem(
         PARTICLE + "generalized_coordinates: {c: {coordinates: [s], substitute: {x: y + s, y: x}}}")),
@@ -215,9 +215,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "forces: {drum: {belt: m, angle: -pi, tight: g, slack: l}}\nfind: equilibrium")),
     "nothing-asked": ("A question asks for something that has to be found.",
         problem(PARTICLE + "ask: {what: {quantity: 2}}")),
-    "no-variable": ("A quantity is wanted as a function of one coordinate or of t.",
+    "no-variable": ("`by` names one coordinate, or t.",
         problem(PARTICLE + "ask: {height: {quantity: y, by: m}}")),
-    "not-determined": ("Say at which state it is wanted, or give what is missing of the initial state.",
+    "not-determined": ("Say at which state the quantity is wanted, or complete the initial state.",
         problem(PARTICLE + "gravity: -g*j\ninitial: {y: l, y': 0}\nask: {height: {quantity: y}}")),
     "never-holds": ("The condition of a question contradicts the initial state.", problem(
         PARTICLE + "gravity: -g*j\ninitial: {y: 0, y': 0}\nask: {speed: {quantity: \"y'\", when: y = l}}")),
@@ -232,10 +232,10 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         problem("constraints: {a: d(x)*d(y) = 0}")),
     "not-a-number": ("A number is required here.", problem("answers: {degrees_of_freedom: two}")),
     "not-a-truth-value": ("Write true or false.", problem(ROD + "answers: {integrable: {rod: maybe}}")),
-    "no-forces": ("Equilibrium is asked, and nothing acts.", problem("find: equilibrium")),
-    "force-of-motion": ("Equilibrium is asked under a force that depends on the motion or on time.", problem(
+    "no-forces": ("Equilibrium is asked for, but no force acts.", problem("find: equilibrium")),
+    "force-of-motion": ("Equilibrium is asked for, but a force depends on the motion or on time.", problem(
         PARTICLE + "forces: {drag: {on: P, vector: -m*x'*i}}\nfind: equilibrium")),
-    "moving-constraint": ("Equilibrium is asked of something that moves by itself.", problem(
+    "moving-constraint": ("Equilibrium is asked for, but a constraint moves.", problem(
         PARTICLE + "constraints: {belt: x = l*t}\nforces: {push: {on: P, vector: g*i}}\nfind: equilibrium")),
     "orientation": ("Say how the body is turned, in the way that fits its inertia.", problem(
         "bodies: {B: {mass: m, inertia: m*l^2, position: x*i}}")),
@@ -272,7 +272,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "bad-range": ("A range has a least and a greatest value.", problem("", parameters="{l: {range: [2 m, 1 m]}}")),
     "shape": ("A shape is one of the known ones.", problem(
         "particles: {P: {mass: m, position: x*i, shape: {disc: l, box: [l, l]}}}")),
-    "figure-word": ("What a circle or curve of a figure is, is one of a few words.", problem(
+    "figure-word": ("The kind of a circle or curve in a figure is one of a few words.", problem(
         PARTICLE + "figure: {circles: [{centre: P, radius: l, as: disk}]}")),
     "figure-too-large": ("Nobody can tell so many parts of a figure apart.", problem(
         PARTICLE + "figure: {lines: [" + ", ".join(["[P, O]"] * 61) + "]}")),
@@ -292,7 +292,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "wrong-kind": ("A list, a mapping or a value is given where another of these is required.",
         problem("constraints: [x = 0]")),
     # -- the derivation ----------------------------------------------------------------------------------------------
-    "friction-place": ("Friction acts on what its constraint holds, at the point that touches, and that the coordinates place freely: "
+    "friction-place": ("Friction acts on what its constraint holds, at the point of contact. The coordinates must place it freely: "
         "a constraint that they satisfy by themselves has no reaction.", problem(
         "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: l*i}}\n" + ROD
         + "forces: {rub: {friction: g, constraint: rod, on: Q}}")),
@@ -302,7 +302,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "spring-sense": ("On a line the length of a spring is an absolute value, unless the file says in which sense it lies.", problem(
         "particles: {P: {mass: m, position: x*i}}\nforces: {tie: {spring: c, between: [O, P], length: l}}",
         coordinates="[x]", parameters="[m, c, l]")),
-    "angle-in-radians": ("A number without a unit is in units of SI, an angle in radians; 30 degrees are `30 deg`.", problem(
+    "angle-in-radians": ("A number without a unit is in SI units, an angle in radians; 30 degrees are `30 deg`.", problem(
         PARTICLE + "forces: {push: {on: P, vector: m*g*cos(beta)*i}}",
         parameters="{m: positive, g: positive, beta: 30}")),
     "impending-without-friction": ("Impending motion is equilibrium with static friction at its limit.", problem(
@@ -313,7 +313,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "friction-unpressed": ("The reaction that would press is zero, and so is the friction; usually a weight has been forgotten.", problem(
         "particles: {P: {mass: m, position: x*i + y*j}}\nconstraints: {floor: y >= 0}\n"
         "forces: {push: {on: P, vector: m*g*i}, rub: {friction: 1/2, constraint: floor, on: P}}")),
-    "friction-undetermined": ("Several constraints keep the same, and how they share the reaction is not determined; "
+    "friction-undetermined": ("Several constraints act in the same way, and how they share the reaction is not determined; "
         "remove those that follow from the others.", problem(
         PARTICLE + "constraints: {floor: y = 0, again: 2*y = 0}\n"
         "forces: {rub: {friction: g, constraint: floor, on: P}}")),
@@ -338,16 +338,16 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "varying-inertia": ("Axes that spin in the body need two equal moments of inertia.", problem(
         "bodies: {B: {inertia: [m, l, l], position: 0*i, axes: [i, j, k], angular_velocity: x'*k}}\n"
         "particles: {P: {mass: m, position: y*j}}\n")),
-    "singular-constraint": ("The derivatives of the constraint vanish where it holds, so that it binds nothing.",
+    "singular-constraint": ("The derivatives of the constraint vanish where it holds, so that it restricts nothing.",
         problem("constraints: {a: sin(x) = 1}")),
     "unstated-condition": ("These constraints can be met only where one more relation holds. Add it.",
         problem("constraints: {a: x = 0, b: \"x' = y\"}")),
-    "no-reference-motion": ("Where equations are linear in numbers, `initial` says about which motion.", None),
+    "no-reference-motion": ("Linear equations in numbers need `initial`, which says about which motion.", None),
     "not-steady": ("Equations are linear about a steady motion or a state of rest.", None),
-    "undetermined-motion": ("As many velocities as there are degrees of freedom give a steady motion.", None),
+    "undetermined-motion": ("Give as many velocities as there are degrees of freedom.", None),
     "initial-off-constraints": ("A steady motion satisfies the constraints; leave out what follows from the rest.", None),
     "values-needed": ("Linear equations in numbers need values.", None),
-    "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
+    "not-covered": ("The format allows this, but the program does not support it yet. Exit status 3.", problem(
         PARTICLE + "unknowns: [F]\nforces: {push: {on: P, vector: F*i}}\nfind: linearization")),
     "several-branches": ("The constraint is satisfied in several ways; a problem is about one of them.", problem(
         "constraints: {wedge: \"x'^2 = l^2*y'^2\"}")),
@@ -366,16 +366,16 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "not-judged": ("A note: this part of an answer is no equation asked for (a definition, a value, an energy).",
         "theta'' = -omega^2*sin(theta), omega = sqrt(g/l)"),
     "not-compared": (
-        "What the file's answers say in coordinates that `--choice` leaves out is read, and not compared.",
+        "Answers of the file in coordinates that `--choice` leaves out are read but not compared.",
         Command(("ex11", "--choice", "depth", "--detail", "brief"))),
-    "no-equations": ("What is to move has no masses.", Command(("export", "ex05", "--to", "c"))),
+    "no-equations": ("Equations of motion are asked for, but nothing has a mass.", Command(("export", "ex05", "--to", "c"))),
     "reference-contradictory": ("No motion satisfies all of the equations that are given to check answers against.", Checked(
         "title: Example\ncoordinates: [x]\nequations: [x'' = 1, x'' = 2]\nanswers: {equations: [x'' = 1]}\n")),
     "reference-coordinates": ("The equations that are given to check answers against are in the coordinates of the file.",
         Checked("title: Example\nparameters: [l, g]\ncoordinates: [x, y]\nconstraints: {rod: x^2 + y^2 = l^2}\n"
              "generalized_coordinates: {a: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}\n"
              "equations: [\"theta'' + g/l*sin(theta) = 0\"]\nanswers: {equations: [x'' = 1]}\n")),
-    "reference-not-linear": ("What answers are checked against are equations of motion.", Checked(
+    "reference-not-linear": ("Answers are checked against equations of motion.", Checked(
         "title: Example\ncoordinates: [x]\nequations: [x'^2 = 1]\nanswers: {equations: [x'' = 1]}\n")),
     "too-many-equations": ("An answer has twelve equations at most.",
         Command(("check", "ex11", *("-e", "x = 0") * 13))),
@@ -387,7 +387,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         Command(("grade", "ex11", "a.txt", "b.txt", "--format", "gradescope"))),
     "bad-roster": ("The table of `--roster` is your own CSV, or the one that a platform gives out.", Command(
         ("grade", "ex11", ".", "--roster", "marks.csv"), "marks.csv")),
-    "bad-time": ("Times are ISO 8601; those that are compared have both a zone, or none.",
+    "bad-time": ("Times are in ISO 8601; times that are compared all have a time zone, or none has.",
         Command(("grade", "ex11", ".", "--due", "tomorrow"))),
     "nothing-varies": ("A variant needs values to be drawn: the section `vary`.", Command(("variant", "ex11", "--seed", "anna"))),
     "bad-seed": ("A seed is a short text: the name or the number of a student.", None),

@@ -7,8 +7,12 @@ from functools import cache
 
 import sympy as sp
 
+import lagrange
 from lagrange.document.derivation import Picture
+from lagrange.document.names import Notation
 from lagrange.document.scene import Polyline, Scene, StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
+from lagrange.pictures.system_drawing import configuration_scene
 from lagrange.pictures.systems import SystemPicture, system_in_file
 from tests.support.figure_sheet import figures_of, solution_for_figures
 from tests.support.shared import reported
@@ -46,6 +50,15 @@ def scenes(name: str) -> list[Scene]:
 def figures(name: str) -> list[Scene]:
     """The figure of a shipped problem and its free bodies, drawn from kinematics and Newton's law alone."""
     return figures_of(solution_for_figures(name))
+
+
+def sketched(title: str, text: str) -> Scene:
+    """The system of a problem in words, without its loads."""
+    system = system_in_file(kinematics_and_law(lagrange.loads(f"title: {title}\n{text}")))
+    assert system is not None
+    scene = configuration_scene(system, Notation(), with_loads=False)
+    assert scene is not None
+    return scene
 
 
 def evaluated(expression: sp.Expr, system: SystemPicture) -> float:

@@ -281,7 +281,7 @@ def _refuse_pages_among_answers(run: GradingRun) -> None:
     """Raises ProblemError if the pages would be taken for submissions the next time."""
     feedback = run.feedback
     if feedback is not None and os.path.realpath(feedback) in map(os.path.realpath, run.answers):
-        message = f"{feedback} is the folder of the submissions: its pages would be graded next time"
+        message = f"{feedback} is the folder of the submissions: the pages in it would be graded next time"
         raise ProblemError(Diagnostic("feedback-among-answers", message, help="name another folder with --feedback"))
 
 

@@ -125,7 +125,7 @@ def named_submissions(named: Sequence[str], excluded: Sequence[Path]) -> list[Un
 def one_entry(named: Sequence[str]) -> UnreadSubmission:
     """The file or folder that a command line names, as one submission. Raises ProblemError if there are several."""
     if len(named) != 1:
-        message = f"{len(named)} files or folders are named, and this format is about one submission"
+        message = f"{len(named)} files or folders are named, but this format takes a single submission"
         help_ = "name the folder with the files of one student"
         raise ProblemError(Diagnostic("several-submissions", message, help=help_))
     path = Path(named[0])

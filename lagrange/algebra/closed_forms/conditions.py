@@ -52,11 +52,15 @@ def further_conditions(
 ) -> tuple[SignCondition, ...] | None:
     """What the conditions add to those `known`, as few and short as possible; None if they contradict each other.
 
-    Conditions that are no polynomials in positive parameters are left as they are.
+    Conditions that are no polynomials in positive parameters are left as they are, but that p > 0 makes p ≠ 0 needless.
     """
     asked, others = _bounds(conditions)
     given, _ = _bounds(known)
-    if not asked or len(asked) + len(given) > MOST_CONDITIONS:
+    if len(others) > 1:
+        others = [b.stated or _written(b) for b in _without_equality([_unresolved(c) for c in others])]
+    if not asked:
+        return tuple(others)
+    if len(asked) + len(given) > MOST_CONDITIONS:
         return tuple(conditions)
     shorter = _on_one_line(asked, given)
     if shorter is None:
@@ -112,6 +116,12 @@ def _bounds(conditions: Sequence[SignCondition]) -> tuple[list[_Bound], list[Sig
         alone = len(polynomials) == 1
         read += [_Bound(p, relation, c if alone else None) for p in polynomials]
     return read, others
+
+
+def _unresolved(c: SignCondition) -> _Bound:
+    """A condition that is no polynomial, with everything on the left."""
+    difference = sp.expand((c.lhs - c.rhs) * (-1 if c.relation in "≤<" else 1))
+    return _Bound(difference, {"≤": "≥", "<": ">"}.get(c.relation, c.relation), c)
 
 
 def _polynomials(c: SignCondition) -> list[sp.Expr] | None:

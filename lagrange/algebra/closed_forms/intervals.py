@@ -1,18 +1,19 @@
 """Intervals of floating-point numbers, rounded outwards: what an expression lies between on a box.
 
-Every operation is widened by one unit in the last place, a sine or cosine by more than the error of the library, so
-that the true value is never outside. An interval without 0 proves that an expression does not vanish on the box.
+Every operation is widened by one unit in the last place, a transcendental function by more than the error of the
+library, so that the true value is never outside. An interval without 0 proves that an expression does not vanish on the
+box. `enclosure` evaluates one expression, `IntervalProgram` several on many boxes, with their common parts once.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import TypeAlias
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeAlias
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.limits import CIRCULAR_ERROR
+from lagrange.algebra.closed_forms.limits import CIRCULAR_ERROR, LARGEST_ANGLE, LIBRARY_ERROR
 
 Interval: TypeAlias = tuple[float, float]
 
@@ -56,10 +57,10 @@ def enclosure(e: sp.Expr, box: Mapping[sp.Symbol, Interval]) -> Interval:
             low, high = outward(low + x, high + y)
         return low, high
     if e.is_Mul:
-        total = (1.0, 1.0)
+        whole = (1.0, 1.0)
         for a in e.args:
-            total = _product(total, enclosure(a, box))
-        return total
+            whole = product(whole, enclosure(a, box))
+        return whole
     if e.is_Pow and e.exp.is_Rational and e.exp < 0:
         return _reciprocal(enclosure(e.base**-e.exp, box))
     if e.is_Pow and e.exp.is_Integer and e.exp > 0:
@@ -86,9 +87,21 @@ def square_root(x: Interval) -> Interval:
     return max(0.0, low), high
 
 
-def _product(a: Interval, b: Interval) -> Interval:
+def product(a: Interval, b: Interval) -> Interval:
+    """All products of their numbers."""
     ends = [0.0 if x == 0 or y == 0 else x * y for x in a for y in b]
     return outward(min(ends), max(ends))
+
+
+def total(a: Interval, b: Interval) -> Interval:
+    """All sums of their numbers."""
+    return math.nextafter(a[0] + b[0], -math.inf), math.nextafter(a[1] + b[1], math.inf)
+
+
+def scaled(number: float, a: Interval) -> Interval:
+    """All products of a number with those of an interval."""
+    low, high = (number * a[0], number * a[1]) if number >= 0 else (number * a[1], number * a[0])
+    return math.nextafter(low, -math.inf), math.nextafter(high, math.inf)
 
 
 def _power(x: Interval, n: int) -> Interval:
@@ -100,3 +113,160 @@ def _power(x: Interval, n: int) -> Interval:
     if n % 2:
         return low, high
     return (0.0 if x[0] <= 0 <= x[1] else max(0.0, low)), high
+
+
+# -- Several expressions on many boxes ---------------------------------------------------------------------------------
+
+
+class IntervalProgram:
+    """Expressions as a list of operations on intervals, each common part once."""
+
+    def __init__(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> None:
+        self._places: dict[sp.Basic, int] = {u: n for n, u in enumerate(unknowns)}
+        self._start: list[Interval | None] = [None] * len(unknowns)
+        self._operations: list[tuple[int, Callable[..., Interval], list[int]]] = []
+        self._results = [self._place(e) for e in expressions]
+
+    def _place(self, e: sp.Basic) -> int:
+        if e not in self._places:
+            parts = [self._place(a) for a in (e.args[:1] if e.is_Pow else e.args)]
+            self._places[e] = len(self._start)
+            self._start.append(None if parts else _number(e))
+            operation = _operation(e) if parts else None
+            if operation is not None:
+                self._operations.append((self._places[e], operation, parts))
+        return self._places[e]
+
+    def at(self, box: Sequence[Interval]) -> list[Interval | None]:
+        """Enclosures of the expressions on a box; None for one that has no value, or no bounds, in a part of it."""
+        values = [*box, *self._start[len(box) :]]
+        for place, operation, parts in self._operations:
+            arguments = [values[n] for n in parts]
+            if None in arguments:
+                continue
+            try:
+                low, high = operation(*arguments)
+            except (ValueError, ZeroDivisionError, OverflowError, EmptyIntervalError):
+                continue
+            if -math.inf < low and high < math.inf:
+                values[place] = low, high
+        return [values[n] for n in self._results]
+
+
+def _number(e: sp.Basic) -> Interval | None:
+    try:
+        if e.is_Rational:
+            value = int(e.p) / int(e.q)
+            return (value, value) if e.is_Integer and abs(value) < 2**53 else outward(value, value)
+        value = float(e)
+    except (TypeError, ValueError, OverflowError):
+        return None
+    return _widened(value, value)
+
+
+def _operation(e: sp.Basic) -> Callable[..., Interval] | None:
+    if e.is_Add:
+        return _sum
+    if e.is_Mul:
+        return _whole_product
+    if e.is_Pow:
+        return _power_with(e.exp)
+    return _FUNCTIONS.get(e.func) if len(e.args) == 1 else None
+
+
+def _sum(*parts: Interval) -> Interval:
+    low, high = parts[0]
+    for a, b in parts[1:]:
+        low, high = math.nextafter(low + a, -math.inf), math.nextafter(high + b, math.inf)
+    return low, high
+
+
+def _whole_product(*parts: Interval) -> Interval:
+    whole = parts[0]
+    for p in parts[1:]:
+        whole = product(whole, p)
+    return whole
+
+
+def _power_with(exponent: sp.Expr) -> Callable[[Interval], Interval] | None:
+    """The power with a rational exponent, a multiple of 1/2; a root only where the whole interval has one."""
+    if not exponent.is_Rational or exponent.q > 2:
+        return None
+    number, of_root, inverse = abs(int(exponent.p)), exponent.q == 2, bool(exponent < 0)
+
+    def power(x: Interval) -> Interval:
+        if of_root:
+            if x[0] < 0:
+                raise EmptyIntervalError
+            x = square_root(x)
+        result = x if number == 1 else _power(x, number)
+        return _reciprocal(result) if inverse else result
+
+    return power
+
+
+def _widened(low: float, high: float) -> Interval:
+    """By more than the error of a function of the library."""
+    return outward(low - LIBRARY_ERROR * abs(low), high + LIBRARY_ERROR * abs(high))
+
+
+def _cosine_of(x: Interval) -> Interval:
+    return _wave(math.cos, x, 0.0)
+
+
+def _sine_of(x: Interval) -> Interval:
+    return _wave(math.sin, x, 0.5)
+
+
+def _wave(function: Callable[[float], float], x: Interval, first: float) -> Interval:
+    """A sine or cosine, which has a maximum at `first` times π, and at every even number of times π from there."""
+    low, high = x
+    if max(-low, high) > LARGEST_ANGLE:
+        return -1.0, 1.0
+    ends = function(low), function(high)
+    least, most = _widened(min(ends), max(ends))
+    # An extreme that rounding puts just outside is counted: the interval only becomes wider.
+    start, end = low / math.pi - first - CIRCULAR_ERROR * (1 + abs(low)), high / math.pi - first
+    end += CIRCULAR_ERROR * (1 + abs(high))
+    extremes = range(math.ceil(start), min(math.floor(end), math.ceil(start) + 1) + 1)
+    least = -1.0 if any(n % 2 for n in extremes) else max(least, -1.0)
+    most = 1.0 if any(n % 2 == 0 for n in extremes) else min(most, 1.0)
+    return least, most
+
+
+def _tangent(x: Interval) -> Interval:
+    return product(_sine_of(x), _reciprocal(_cosine_of(x)))
+
+
+def _cotangent(x: Interval) -> Interval:
+    return product(_cosine_of(x), _reciprocal(_sine_of(x)))
+
+
+def _exponential(x: Interval) -> Interval:
+    return _widened(math.exp(x[0]), math.exp(x[1]))
+
+
+def _logarithm(x: Interval) -> Interval:
+    return _widened(math.log(x[0]), math.log(x[1]))
+
+
+def _modulus(x: Interval) -> Interval:
+    low, high = x
+    return (low, high) if low >= 0 else (-high, -low) if high <= 0 else (0.0, max(-low, high))
+
+
+def _sign(x: Interval) -> Interval:
+    """The slope of a modulus: [-1, 1] across the kink."""
+    return (1.0, 1.0) if x[0] > 0 else (-1.0, -1.0) if x[1] < 0 else (-1.0, 1.0)
+
+
+def _impulse(x: Interval) -> Interval:
+    if x[0] <= 0 <= x[1]:
+        raise ValueError
+    return 0.0, 0.0
+
+
+_FUNCTIONS: Mapping[Any, Callable[[Interval], Interval]] = {
+    sp.sin: _sine_of, sp.cos: _cosine_of, sp.tan: _tangent, sp.cot: _cotangent, sp.exp: _exponential,
+    sp.log: _logarithm, sp.Abs: _modulus, sp.sign: _sign, sp.DiracDelta: _impulse,
+}  # fmt: skip

@@ -66,3 +66,10 @@ CIRCULAR_ERROR = 1e-14
 
 INNER_FRACTION = 4
 """As many operations is a fraction within a fraction as hard to read."""
+
+LIBRARY_ERROR = 1e-15
+"""Relative error of sin, cos, exp and log in floating point: more than four units in the last place, where good
+libraries have one."""
+
+LARGEST_ANGLE = 1e6
+"""A sine of a larger angle is anything between −1 and 1."""

@@ -29,6 +29,7 @@ from lagrange.algebra.closed_forms.limits import (
     MOST_FACTORED_SYMBOLS,
     SPHERES,
 )
+from lagrange.algebra.closed_forms.shortest_form import reading_length, shortest_form, without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
@@ -169,6 +170,25 @@ def _with_roots(e: sp.Expr) -> sp.Expr:
     above, below = sp.fraction(together)
     common = sp.gcd_terms(above)
     return sp.factor_terms(common / below)
+
+
+def shortest_value(e: sp.Expr) -> sp.Expr:
+    """A value as a book would print it: over one denominator, in factors, or term by term, whichever is shortest.
+
+    B/2 + b W/l, and not (B l + 2 b W)/(2 l); 27 (R − a)/10, and not 27 R/10 − 27 a/10.
+    """
+    forms = dict.fromkeys((e, factored_quotient(e), *_term_by_term(e)))
+    return min((without_leading_minus(shortest_form(f)) for f in forms), key=reading_length)
+
+
+def _term_by_term(e: sp.Expr) -> tuple[sp.Expr, ...]:
+    """(B l + 2 b W)/(2 l) as B/2 + b W/l, where only one term is left with a symbol below."""
+    above, below = sp.fraction(e)
+    if below == 1 or not all(f.is_number or f.as_base_exp()[0].is_Symbol for f in sp.Mul.make_args(below)):
+        return ()
+    terms = [term / below for term in sp.Add.make_args(sp.expand_mul(above))]
+    quotients = sum(not sp.fraction(term)[1].is_number for term in terms)
+    return (sp.Add(*terms),) if len(terms) > 1 and quotients == 1 else ()
 
 
 def over_one_denominator_in_roots(e: sp.Expr) -> sp.Expr:

@@ -29,12 +29,12 @@ def shortest_form(e: sp.Expr) -> sp.Expr:
     if not roots and (e.is_Add or e.has(sp.sin, sp.cos)):
         forms.append(textbook_form(e))
     candidates = [_as_tangents(f) for f in forms]
-    return min(candidates, key=lambda f: (_length(f), forms.index(f) if f in forms else 0))
+    return min(candidates, key=lambda f: (reading_length(f), forms.index(f) if f in forms else 0))
 
 
-def _length(e: sp.Expr) -> int:
+def reading_length(e: sp.Expr) -> int:
     """Operations, with a surcharge for each fraction within a fraction: (a² + g²)/(g l), not (a²/g + g)/l."""
-    quotients = (product for product in e.atoms(sp.Mul) if not sp.fraction(product)[1].is_number)
+    quotients = (product for product in e.atoms(sp.Mul) if sp.fraction(product)[1] != 1)
     sums = (f.as_base_exp()[0] for product in quotients for f in product.args)
     inner = {a for s in sums if s.is_Add for a in s.args if not sp.fraction(a)[1].is_number}
     return count_operations(e) + INNER_FRACTION * len(inner)

@@ -364,10 +364,10 @@ def _without_positive_factors(expression: sp.Expr, positive: tuple[sp.Expr, ...]
         base, exponent = factor.as_base_exp()
         if exponent.is_Rational and not exponent.is_Integer:
             continue  # a root is positive where it exists
-        if not exponent.is_Integer:
-            kept.append(factor)
-            continue
         factor_sign = _of_factor(base, known)
+        if not exponent.is_Integer:  # of e^(−r/a), and of a power r^n of what is positive, likewise
+            kept += [] if exponent.is_real and (base.is_positive or factor_sign == 1) else [factor]
+            continue
         if exponent % 2 == 0:
             kept += [] if base.is_real else [factor]
         elif factor_sign is None:

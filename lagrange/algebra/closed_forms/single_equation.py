@@ -48,6 +48,18 @@ class Relation:
         """The left side minus the right side."""
         return self.lhs - self.rhs
 
+    @property
+    def positive(self) -> tuple[sp.Symbol, ...]:
+        """What is positive because the left side is a square: r in φ'² = K/(m r³), and in r^n with any real n."""
+        if not (isinstance(self.lhs, sp.Pow) and self.lhs.exp == 2 and self.lhs.base.is_real):
+            return ()
+        if powers := {p.base for p in self.rhs.atoms(sp.Pow) if p.base.is_Symbol and not p.exp.is_number}:
+            return tuple(sorted(powers, key=str))
+        factors = [f.as_base_exp() for f in sp.Mul.make_args(sp.factor(self.rhs))]
+        open_ = [(x, n) for x, n in factors if not (x**n).is_positive]
+        is_one = len(open_) == 1 and open_[0][0].is_Symbol and open_[0][1].is_Integer and open_[0][1] % 2 == 1
+        return (open_[0][0],) if is_one else ()
+
 
 @record
 class Root:

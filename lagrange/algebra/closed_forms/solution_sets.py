@@ -15,13 +15,12 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
-from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, irreducible_factors
-from lagrange.algebra.closed_forms.shortest_form import shortest_form, without_leading_minus
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, irreducible_factors, shortest_value
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import sign_in_range
 
@@ -290,9 +289,7 @@ def with_known_values(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Sym
         return min(used, default=-1)
 
     def value(e: sp.Expr) -> sp.Expr:
-        given = resolved(e, known)
-        forms = [given] if given == e else [given, factored_quotient(given)]  # what was divided by may cancel
-        return without_leading_minus(min((shortest_form(letters.write(f)) for f in forms), key=count_operations))
+        return shortest_value(letters.write(resolved(e, known)))
 
     relations = [Relation(letters.write(r.lhs), value(r.rhs)) for r in sorted(b.relations, key=place)]
     conditions = [

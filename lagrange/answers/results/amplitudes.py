@@ -171,7 +171,7 @@ def _other_drives(
             motion = sp.cancel(sp.expand(drive[0]) / sp.expand(k + sp.I * w * d))
             if letter in motion.free_symbols and motion.free_symbols == {letter}:
                 forces = [sp.expand(m * w**2 * motion)]
-                clause = "of the motion relative to the support, and the one in the fixed frame is asked for"
+                clause = "of the motion relative to the support, but the one in the fixed frame is asked for"
                 yield clause, _Equations(own.stiffness, own.mass, own.damping, forces, own.frequency)
 
 

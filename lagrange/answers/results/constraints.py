@@ -92,7 +92,7 @@ def explained_degrees_of_freedom(stated: int, classification: Classification) ->
     if integrable is not None and integrable < rank and stated == coordinates - integrable:
         return "only the constraints that can be integrated are subtracted: the others restrict the displacements too"
     if stated == coordinates - len(rows):
-        return "a constraint is counted that follows from the others"
+        return "a constraint that follows from the others is counted"
     vectors = {c.row.name.partition(".")[0] for c in classification.constraints}
     if stated == coordinates - len(vectors):
         return "a constraint that is a vector equation counts once for each of its independent components"

@@ -96,7 +96,7 @@ def _reasons(
             and vanishes(claim**2 * after - value**2 * before)
             and not vanishes(before - after)
         ):
-            yield "the kinetic energy is taken to be conserved, and in this impact some of it is lost"
+            yield "the kinetic energy is taken to be conserved, but some of it is lost in this impact"
         if (why := _of_another_inertia(plain, claim, motion, problem)) is not None:
             yield f"this is the velocity {why}"
     if value != 0 and vanishes(claim + value):
@@ -162,7 +162,7 @@ def _about_another_point(
         return None
     turning = replace(m, inertias=tuple(i for i in m.inertias if i.turning))
     if all(_close(c * d.energy(turning), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
-        return "for the moment of inertia about the mass centre, and what turns here turns about another point"
+        return "for the moment of inertia about the mass centre, but here the body turns about another point"
     for name in dict.fromkeys(i.name for i in m.inertias):
         others = replace(m, inertias=tuple(i for i in m.inertias if i.name != name))
         if all(_close(c * d.energy(others), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):

@@ -72,9 +72,9 @@ def explained_uniform(
                 sp.sqrt(motion.velocity**2 + 2 * motion.acceleration * (place - motion.start)),
             )
             if motion.velocity == 0 and is_zero(claim**2 - way / motion.acceleration) is True:
-                return "the way is taken as A t^2, and with a constant acceleration A from rest it is A t^2/2"
+                return "the distance is taken as A t^2, but with a constant acceleration A from rest it is A t^2/2"
             if is_zero(claim**2 - (way / end) ** 2) is True:
-                return "the way is divided by the velocity at its end, and the velocity changes"
+                return "the distance is divided by the final velocity, but the velocity changes"
         stated = _acceleration(claim, asked, motion)
         if stated is None or is_zero(stated - motion.acceleration) is not False:
             return ""
@@ -179,7 +179,7 @@ def explained_by_first_acceleration(claim: sp.Expr, asked: Asked, candidates: Se
             continue  # a force that vanishes at the start is left out, rather than taken as constant
         stated = _acceleration(claim, asked, Uniform(q, initial[q], initial[v], first))
         if first != 0 and stated is not None and is_zero(stated - first) is True:
-            return "the acceleration at the start is taken as constant, and it changes"
+            return "the acceleration at the start is taken as constant, but it changes"
     return ""
 
 
@@ -239,6 +239,20 @@ def explained_by_free_fall(claim: sp.Expr, asked: Asked, candidates: Sequence[Re
                 return "this is the acceleration without the forces of the constraints, as if it moved freely"
         except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
             continue
+    return ""
+
+
+def explained_as_motion(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """The changed problem whose equation of motion a stated acceleration is, in a sentence; empty if it is none."""
+    from lagrange.answers.models.search import explained
+
+    quantity = asked.question.quantity
+    for candidate in candidates:
+        if quantity not in candidate.configuration.slots.accelerations or asked.question.when:
+            continue
+        [found] = explained([candidate.read(quantity - claim)], [0], candidate.models)
+        if found is not None:
+            return found.sentence
     return ""
 
 
@@ -353,6 +367,22 @@ def _changed_problems(equation: sp.Expr, models: Models, empty: sp.Expr | None) 
 
 
 StateAndRates = Mapping[sp.Symbol, sp.Expr]
+
+
+def explained_as_change(stated: sp.Expr, right: Sequence[sp.Expr], of: sp.Expr, asked: Asked) -> str:
+    """Whether a value is by how much the quantity, or `of` a function of it, changes from the start, in a sentence."""
+    initial = {s.symbol: s.value for s in asked.initial}
+    start = of.xreplace(initial)
+    if of.free_symbols - {*initial} & {*asked.question.quantity.free_symbols} or start.has(asked.question.quantity):
+        return ""
+    try:
+        for value in right:
+            change = value - start
+            if is_zero(start) is False and any(is_zero(stated - way) is True for way in (change, -change)):
+                return "this is by how much it has changed since the start, and not its value"
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        pass
+    return ""
 
 
 def explained_instant(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:

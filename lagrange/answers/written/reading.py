@@ -90,7 +90,7 @@ _LATEST: deque[tuple[Fragment, Scope, Fragment]] = deque(maxlen=32)
 def too_long(fragment: Fragment) -> ProblemError:
     """The error of a text with more characters than an answer may have."""
     length = len(fragment.text)
-    message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
+    message = f"an expression may have at most {MAX_ANSWER_CHARACTERS:,} characters; this one has {length:,}"
     help_ = "write it shorter, or with abbreviations where there is a `let:`"
     return ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
 

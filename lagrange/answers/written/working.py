@@ -142,7 +142,7 @@ def understood(
     Raises ProblemError if it has too many lines.
     """
     if len(answer) > MAX_LINES:
-        message = f"an answer may have {MAX_LINES} lines with equations, and this one has {len(answer)}"
+        message = f"an answer may have at most {MAX_LINES} lines with equations; this one has {len(answer)}"
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving, naming)

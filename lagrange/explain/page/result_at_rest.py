@@ -302,11 +302,11 @@ def _damped(linearization: Linearization) -> Iterator[Equation]:
 
 
 def _stability_of(at: SmallOscillations) -> tuple[Part, ...]:
-    """`stable where a > b`, `stable to first order where c > d`, `stable but for a uniform motion of X`."""
+    """`stable where a > b`, `stable to first order where c > d`, `stable apart from a uniform motion of X`."""
     stability = at.judgement.stability
     if stability.drift is not None:
         drift = stability.drift
-        return ("stable but for a uniform motion",) if len(drift.coordinates) > 1 else but_for_drift(drift)
+        return ("stable apart from a uniform motion",) if len(drift.coordinates) > 1 else but_for_drift(drift)
     firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
     if stability.conditions:
         return ("stable where " if firm else "stable to first order where ", *sign_conditions(stability.conditions))

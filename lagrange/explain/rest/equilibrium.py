@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.shortest_form import reading_length
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.derivation import (
@@ -43,7 +44,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.degenerate import LowestForm, UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
-from lagrange.mechanics.rewriting.factors import has_common_factor
+from lagrange.mechanics.rewriting.factors import has_common_factor, with_common_factor
 
 ZERO = sp.S.Zero
 
@@ -138,7 +139,12 @@ def _conclusion(equilibrium: Equilibrium) -> list[Block]:
     above = [(c.factor.numerator if c.factor.expression.is_number else c.factor).expression for c in reduced]
     below = [*(c.below.expression for c in reduced), *numbers]
     divided, multiplied = ([math(e) for e in es if e != 1] for es in (above, below))
+    taken = dict.fromkeys(c.factor.expression / c.below.expression for c in reduced)
     steps: list[tuple[Part, ...]] = []
+    if len(taken) > 1 and all(e.is_number for e in taken):  # no step is that of every condition
+        numbers = [e for e in taken if e != 1]
+        steps.append((f"without the {plural(len(numbers), 'factor', 'factors')} ", *listed(map(math, numbers))))
+        divided = multiplied = []
     if multiplied:
         steps.append(("multiplying by ", *listed(dict.fromkeys(multiplied))))
     if divided:
@@ -186,7 +192,9 @@ def _stated(equilibrium: Equilibrium) -> list[tuple[str, sp.Expr]]:
 
 
 def _shown(equilibrium: Equilibrium) -> Block:
-    return display(*(Equation((e, ZERO), label=label) for label, e in _stated(equilibrium)))
+    """The conditions, with a factor that several terms share before a bracket: cos θ [l (2Q − B) − 2b W] = 0."""
+    stated = ((label, min(e, with_common_factor(e), key=reading_length)) for label, e in _stated(equilibrium))
+    return display(*(Equation((e, ZERO), label=label) for label, e in stated))
 
 
 def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Iterator[Block]:
@@ -431,11 +439,11 @@ def stability_in_short(s: Stability) -> tuple[Part, ...]:
 
 
 def but_for_drift(drift: UniformMotion) -> tuple[Part, ...]:
-    """`stable but for a uniform motion of X`, `of x_1 and x_2 together`, `where k > m g`."""
+    """`stable apart from a uniform motion of X`, `of x_1 and x_2 together`, `where k > m g`."""
     together = " together" if len(drift.coordinates) > 1 and not drift.several else ""
     motion = "uniform motions of " if drift.several else "a uniform motion of "
     where = (" where ", *sign_conditions(drift.conditions)) if drift.conditions else ()
-    return (f"stable but for {motion}", *listed(math(q) for q in drift.coordinates), together, *where)
+    return (f"stable apart from {motion}", *listed(math(q) for q in drift.coordinates), together, *where)
 
 
 def why_it_drifts(drift: UniformMotion, V: Part) -> tuple[Part, ...]:

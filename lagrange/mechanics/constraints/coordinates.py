@@ -193,7 +193,8 @@ def _check_independent(result: GeneralizedCoordinates, original: Configuration) 
     if rank < chosen:
         message = f"the coordinates {names} of `{choice.name}` are not independent"
         spare = chosen - rank
-        help_ = f"when these {chosen} change, the old coordinates change in {rank} directions only; leave {spare} out"
+        directions = f"{rank} direction{'' if rank == 1 else 's'}"
+        help_ = f"these {chosen} move the old coordinates in {directions} only; leave {spare} out"
         raise ProblemError(Diagnostic("dependent-coordinates", message, choice.span, help=help_))
     rows = [list(r.coefficients) for r in original.rows if r.name in result.satisfied]
     satisfied = original.states.rank(rows)
@@ -202,7 +203,8 @@ def _check_independent(result: GeneralizedCoordinates, original: Configuration) 
     needed = len(original.slots.coordinates) - satisfied
     if chosen < needed:
         message = (
-            f"the choice `{choice.name}` has {chosen} coordinates, and the positions it must describe have {needed}"
+            f"the choice `{choice.name}` has {chosen} coordinate{'' if chosen == 1 else 's'}, "
+            f"but the positions need {needed}"
         )
         help_ = "it would add a constraint that the file does not have; choose more coordinates"
         raise ProblemError(Diagnostic("too-few-coordinates", message, choice.span, help=help_))

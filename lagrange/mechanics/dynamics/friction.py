@@ -190,7 +190,7 @@ def solved_loads(
         name = next((r.name for r in f.pressing if r.name not in reactions.multipliers), f.reaction.name)
         if name not in reactions.multipliers:
             message = f"the friction `{f.friction.name}` needs the reaction of `{name}`, which is not determined"
-            help_ = "other constraints keep the same; remove those that follow from the others"
+            help_ = "other constraints act in the same way; remove those that follow from the others"
             raise ProblemError(Diagnostic("friction-undetermined", message, f.friction.span, help=help_))
         value = reactions.multipliers[name]
         known = {r.name: v for r in f.pressing if (v := reactions.multipliers[r.name]) is not None}
@@ -292,7 +292,7 @@ def _sense(
     if line is not None:
         return speed, line, sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
     if friction.slip is not None:
-        message = f"`slip` of the friction `{friction.name}` is a sense along a line, and there is no line"
+        message = f"`slip` of the friction `{friction.name}` is a sense along a line, but there is no such line"
         help_ = f"`{friction.on}` may slide in more directions than one; leave `slip` out"
         raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
     return None, slip / textbook_form(slip.norm()), sp.S.One

@@ -67,7 +67,7 @@ def require_statics(problem: Problem, configuration: Configuration) -> None:
         and not any(isinstance(f, Belt) for f in problem.forces)
     ):
         help_ = "give forces, a potential, or gravity and masses"
-        message = "no force acts, so that every position is one of equilibrium"
+        message = "no force acts, so every position is an equilibrium"
         mistakes.append(Diagnostic("no-forces", message, help=help_))
     if mistakes:
         raise ProblemError(mistakes)

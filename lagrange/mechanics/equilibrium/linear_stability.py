@@ -17,8 +17,8 @@ neglected terms would have to be examined.
 A wedge that is free to slide, two carts joined by a spring: if V does not change in a displacement n of constant
 components, Σ n_k ∂V/∂q_k = 0 everywhere, the second variation is singular along n. But if V_kj is positive definite in
 the other coordinates, these stay near the equilibrium and all velocities small, by the energy T + V, while the system
-may drift along n: it is stable but for that uniform motion (Routh, Stability of Motion, 1877). In the strict sense its
-stability stays undecided.
+may drift along n: it is stable apart from that uniform motion (Routh, Stability of Motion, 1877). In the strict sense
+its stability stays undecided.
 
 Reference: N. G. Chetaev, The Stability of Motion, 1961.
 """

@@ -489,7 +489,7 @@ def _conditions(motion: ImpulsiveMotion) -> Iterator[Presupposition]:
             approach = _tidy(-side * motion.just_before(row.velocity_form(motion.full.slots)))
             if approach != 0 and _is_positive(-approach):
                 message = f"nothing approaches `{impulse.name}` before the impact: {-approach} is its rate"
-                help_ = "correct the velocities before, or leave the constraint out"
+                help_ = "correct the velocities under `before`, or leave out the constraint"
                 raise ProblemError(Diagnostic("contradictory-impact", message, spans[impulse.name], help=help_))
             if not _is_positive(approach) and approach != 0:
                 yield Presupposition(impulse.name, approach, False)

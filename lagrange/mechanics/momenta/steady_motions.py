@@ -36,6 +36,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Matrix
+from lagrange.algebra.closed_forms.signs import more_than_zero
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
@@ -387,6 +388,8 @@ def _about(
         return None
     if matrices is None:
         return None
+    real = (x for v, e in _rates_on(b, rates).items() for x in _without_root(v, e).positive)
+    b = replace(b, implied=(*b.implied, *map(more_than_zero, real)))
     size = len(names)
     shape = tuple(tuple(sp.Integer(i == j) for j in range(size)) for i in range(size))
     like = (matrices, b.conditions)

@@ -57,6 +57,7 @@ class InitialMotion:
     ranges         what the ranges of coordinates make not negative: q, q − low and q, high − q
     along          of several degrees of freedom the coordinate that the conditions are about, if its velocity is a
                    function of it alone, as the distance from a centre and the depth of a spherical pendulum
+    place          a condition on the coordinates alone that is the only one, zero where it holds: x_2 − x_1 − d
     """
 
     initial: State
@@ -69,6 +70,7 @@ class InitialMotion:
     values: State = field(default_factory=dict)
     ranges: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
     along: sp.Symbol | None = None
+    place: sp.Expr | None = None
 
     @property
     def by_themselves(self) -> tuple[sp.Symbol, ...]:
@@ -250,7 +252,8 @@ def _is_ruled_out(
     if reason is Reason.INITIAL:
         return beginning.is_initial(state)
     if reason is Reason.ARRIVAL:
-        return any(_comes_from_beyond(state, q, beginning, conditions) for q in arriving)
+        beyond = any(_comes_from_beyond(state, q, beginning, conditions) for q in arriving)
+        return beyond or _leaves(state, beginning, conditions)
     return one and any(_is_behind(state, q, beginning, conditions) for q in beginning.by_themselves)
 
 
@@ -268,6 +271,19 @@ def _comes_from_beyond(
         start = beginning.direction(q)
         return start in (1, -1) and sign == start
     return sign == -way
+
+
+def _leaves(state: State, beginning: InitialMotion, conditions: Sequence[SignCondition]) -> bool:
+    """Whether a function of the position that is zero in a state grows in size: it came from the side of its start."""
+    f = beginning.place
+    if f is None:
+        return False
+    slots = beginning.slots
+    start = f.xreplace(dict(beginning.initial))
+    rate = sp.Add(*(f.diff(q) * prime(q) for q in slots.coordinates)).xreplace(dict(state))
+    if (start.free_symbols | rate.free_symbols) & {*slots.coordinates, *slots.velocities}:
+        return False
+    return beginning.sign(factored_quotient(start * rate), conditions) == 1
 
 
 def _is_behind(state: State, q: sp.Symbol, beginning: InitialMotion, conditions: Sequence[SignCondition]) -> bool:
@@ -302,6 +318,8 @@ def _sign_where(e: sp.Expr, conditions: tuple[SignCondition, ...]) -> int | None
 def _sign_of_angle(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
     """The sign of c acos(u) + a: acos lies between 0 and π, and falls with u."""
     [angle, *others] = e.atoms(sp.acos)
+    if others and (sign := _sign_beyond_half_turns(e)) is not None:
+        return sign
     if len(others) > 1:
         return None
     letter = sp.Dummy(real=True)
@@ -319,6 +337,18 @@ def _sign_of_angle(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | Non
         return -way if beyond else way if _sign(-against, conditions) in (0, 1) else None
     difference = sign_of_value(angle.args[0] - sp.cos(against), conditions)
     return None if difference is None else -way * difference
+
+
+def _sign_beyond_half_turns(e: sp.Expr) -> int | None:
+    """The sign of a + c_1 acos(u_1) + c_2 acos(u_2) with numbers a, c_1, c_2, where any angles in [0, π] have it."""
+    terms = [t.as_independent(sp.acos, as_Add=False) for t in sp.Add.make_args(sp.expand(e))]
+    if not all((c.is_number and isinstance(u, sp.acos)) or (c.is_number and u == 1) for c, u in terms):
+        return None
+    constant = sp.Add(*(c for c, u in terms if u == 1))
+    lowest, highest = (constant + sp.pi * sp.Add(*(f(c, 0) for c, u in terms if u != 1)) for f in (sp.Min, sp.Max))
+    if lowest.is_positive:
+        return 1
+    return -1 if highest.is_negative else None
 
 
 def _is_half_turn(angle: sp.Expr) -> bool:

@@ -377,6 +377,34 @@ def _growth(square: sp.Expr, rate: sp.Expr) -> Iterator[tuple[sp.Expr, tuple[Sig
         yield sp.cos(w * t) + factored_quotient(rate / w) * sp.sin(w * t), ()
 
 
+def power_drag(q: sp.Symbol, accelerations: SymbolValues, initial: SymbolValues) -> ClosedMotion | None:
+    """q'' = α q'^p with p ≠ 1 and q'_0 > 0: q' = w^(1/(1 − p)), where w = q'_0^(1 − p) + (1 − p) α t is not negative.
+
+    A boat that √q' slows down comes to rest at w = 0, and stays there; None if it is no such equation.
+    """
+    v, size = prime(q), sp.Dummy("v", positive=True)
+    a, start, place = accelerations.get(prime(q, 2)), initial.get(v), initial.get(q)
+    if a is None or start is None or place is None or sign_of(start) != 1 or count_operations(a) > LONGEST_INTEGRATED:
+        return None
+    alpha, power = sp.powsimp(a.xreplace({v: size})).as_independent(size, as_Add=False)
+    p = power.as_base_exp()[1]
+    if power != size**p or not p.is_Rational or p in (0, 1, 2) or {q, t} & alpha.free_symbols:
+        return None
+    rate = (1 - p) * alpha
+    w = start ** (1 - p) + rate * t
+    speed, grown = w ** (1 / (1 - p)), w ** ((2 - p) / (1 - p))
+    way = (grown - start ** (2 - p)) / (alpha * (2 - p))
+    sign = sign_of(rate)
+    lasts = () if sign == 1 else (SignCondition(t, "≤", factored_quotient(-(start ** (1 - p)) / rate)),)
+    at = {t: (size - start ** (1 - p)) / rate}  # where w is a positive number, so that its powers are real
+    residuals = (
+        speed.diff(t).xreplace(at) - a.xreplace({v: speed.xreplace(at)}),
+        way.diff(t).xreplace(at) - speed.xreplace(at),
+    )
+    holds = sign in (1, -1) and all(map(_is_certainly_zero, residuals))
+    return ClosedMotion({q: place + way}, lasts, {q: speed}) if holds else None
+
+
 # Without a question
 
 

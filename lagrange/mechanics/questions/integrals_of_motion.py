@@ -55,6 +55,39 @@ def integrals(place: MotionView, known: Meanings, initial: SymbolValues) -> tupl
     return used, missing
 
 
+def resting_centres(used: Sequence[UsedIntegral], place: MotionView, initial: SymbolValues) -> list[UsedIntegral]:
+    """Σ c q for each integral Σ c q' = 0 with constant c; `equation` is Σ c q'.
+
+    Two bodies that attract each other, from rest: their mass centre does not move.
+    """
+    slots = place.configuration.slots
+    centres = []
+    for i in (i for i in used if i.value == 0):
+        shares = {q: i.expression.diff(v) for q, v in zip(slots.coordinates, slots.velocities, strict=True)}
+        rate = sp.Add(*(c * prime(q) for q, c in shares.items()))
+        centre = sp.Add(*(c * q for q, c in shares.items()))
+        start = centre.xreplace(dict(initial))
+        is_constant = all(c.free_symbols.isdisjoint(place.moving) for c in (*shares.values(), start))
+        if is_constant and len(rate.args) > 1 and vanishes(sp.expand(i.expression - rate)):
+            centres.append(UsedIntegral(IntegralKind.CENTRE, centre, textbook_form(start), equation=rate))
+    return centres
+
+
+def has_pole(e: sp.Expr, condition: sp.Expr, coordinates: Collection[sp.Symbol]) -> bool:
+    """Whether an expression is infinite where a condition on the coordinates holds: −G/(y − x) where y = x.
+
+    A statement that it excludes the condition would be about the model: bodies that meet have no energy there.
+    """
+    for q in sorted(condition.free_symbols & {*coordinates}, key=str):
+        slope = condition.diff(q)
+        if slope == 0 or q in slope.free_symbols:
+            continue
+        place = {q: sp.expand(q - condition / slope)}
+        below = (p.base.xreplace(place) for p in e.atoms(sp.Pow) if p.exp.is_negative and q in p.base.free_symbols)
+        return any(sp.expand(x) == 0 for x in below)
+    return False
+
+
 def _single(place: MotionView, known: Meanings) -> Iterator[UsedIntegral]:
     """The integrals of equations q'' = a(q, q') of one coordinate."""
     slots = place.configuration.slots

@@ -61,3 +61,6 @@ CLOSE = 1e-6
 
 STEPS_OF_HALF_TURN = 2000
 """The steps in which a place is looked for along an angle, from an unstable equilibrium."""
+
+MOST_ANGLES = 2
+"""Angles of a position that are looked for among those that the file gives, of which it may give as many."""

@@ -27,9 +27,9 @@ from lagrange.core.diagnostics import ProblemError
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.questions import arrivals, numerical
+from lagrange.mechanics.questions import arrivals, numerical, ranges
 from lagrange.mechanics.questions.branches import InitialMotion, first_branches, outright, sign_of_value
-from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
+from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions, power_drag
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under, under_one_root
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
@@ -41,8 +41,7 @@ from lagrange.mechanics.questions.quadrature import (
     time_between,
     toward,
 )
-from lagrange.mechanics.questions.ranges import changes, in_ranges, mixed, never_holds, not_determined, slip_has_ended
-from lagrange.mechanics.questions.reach import initial_motion, kept_senses, place_stated
+from lagrange.mechanics.questions.reach import approach, initial_motion, kept_senses, place_stated
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, completed, mentioned, reduced
 from lagrange.mechanics.questions.states import (
@@ -54,7 +53,7 @@ from lagrange.mechanics.questions.states import (
     places_stated,
     without,
 )
-from lagrange.mechanics.questions.times import TimeRoot, in_order, keeps_sign, times
+from lagrange.mechanics.questions.times import TimeRoot, after_start, in_order, keeps_sign, times
 from lagrange.problem.model import Condition, Problem, Question
 
 
@@ -85,12 +84,12 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
         asked = _with_either_sense(question, setting)
         if asked.answered:
             if asked.excluded_by(setting.values, {t, *coordinates}):
-                raise ProblemError(never_holds(question))
-            asked = asked.within(setting.values, {t, *coordinates})
+                raise ProblemError(ranges.never_holds(question))
+            asked = ranges.in_bounds(asked.within(setting.values, {t, *coordinates}))
             return under(setting.known.starting, asked)
         tried.append(asked)
     if not tried:
-        raise ProblemError(mixed(question))
+        raise ProblemError(ranges.mixed(question))
     return tried[0]
 
 
@@ -170,10 +169,12 @@ class _Search:
         named = (self.question.quantity, *(c.function for c in self.question.when))
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"
-            raise ProblemError(slip_has_ended(self.question, what))
+            raise ProblemError(ranges.slip_has_ended(self.question, what))
         self.setting.refuse_rolling(self.question)
         if self._beginning_of_slip is None:
-            raise ProblemError(slip_has_ended(self.question, "asks for slip that does not begin: friction prevents it"))
+            raise ProblemError(
+                ranges.slip_has_ended(self.question, "asks for slip that does not begin: friction prevents it")
+            )
         if any(self.known.unknown(e) for e in named) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -184,12 +185,13 @@ class _Search:
         elif self.question.by is None and (constant := self._constant()) is not None:
             return constant
         if self.question.by != t and (self.question.by is not None or t not in self.quantity.free_symbols):
-            for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
-                if route is Route.INTEGRALS and not used:
-                    break
+            for route, used in (
+                (Route.STATE, []),
+                *((Route.INTEGRALS, u) for u in self.setting.finite_integrals(self.when)),
+            ):
                 elimination = self._eliminated(used)
                 if elimination.never:
-                    raise ProblemError(never_holds(self.question, outright=route is Route.STATE))
+                    raise ProblemError(ranges.never_holds(self.question, outright=route is Route.STATE))
                 if elimination.branches and elimination.solved and not elimination.free:
                     return self._chosen(route, elimination, used)
                 free = elimination.free
@@ -197,9 +199,9 @@ class _Search:
             if asked is not None:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:
-            raise ProblemError(changes(self.question))
+            raise ProblemError(ranges.changes(self.question))
         if free and self._not_given():
-            raise ProblemError(not_determined(self.question, free, self._not_given()))
+            raise ProblemError(ranges.not_determined(self.question, free, self._not_given()))
         return self._in_numbers() or self._asked(Route.INTEGRALS, free=free)
 
     def _lacks_accelerations(self) -> bool:
@@ -285,7 +287,7 @@ class _Search:
     def _chosen(self, route: Route, elimination: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
-        inside = (in_ranges(b, self.configuration, self.setting.values) for b in elimination.branches)
+        inside = (ranges.in_ranges(b, self.configuration, self.setting.values) for b in elimination.branches)
         elimination = replace(elimination, branches=tuple(b for b in inside if b is not None))
         parted = [self._with_stated_slip(b) for b in elimination.branches]
         lasting = [b for b in parted if b is not None]
@@ -301,7 +303,7 @@ class _Search:
             on_the_way = arrivals.Arrivals(self.setting, self._beginning, self.rule, *asked)
             branches = on_the_way.reached(branches) or on_the_way.at_the_start(lasting)
         if not branches:
-            raise ProblemError(never_holds(self.question))
+            raise ProblemError(ranges.never_holds(self.question))
         if self._is_at_start:
             begins = dict.fromkeys(self._beginning_of_slip or ())
             branches = [replace(b, conditions=tuple({**dict.fromkeys(b.conditions), **begins})) for b in branches]
@@ -372,7 +374,7 @@ class _Search:
         starts = after.known.accelerations[prime(v)].xreplace(dict(after.initial))
         way = sign_of_value(-sense * starts)
         if way in (0, -1):
-            raise ProblemError(never_holds(self.question))
+            raise ProblemError(ranges.never_holds(self.question))
         asked = _Search(self.question, after).answer()
         back = () if way == 1 else (more_than_zero(-sense * starts),)
         conditions = (*b.conditions, *back)
@@ -448,6 +450,9 @@ class _Search:
         places = self.setting.places_of_no_matter(accelerations)
         rates = [r.velocity_form(self.slots) for r in self.configuration.rows if r.finite is None]
         motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping, rates)
+        if not motions and self.question.by == t and not slipping:
+            found = [power_drag(q, accelerations, self.setting.initial) for q in wanted]
+            motions = [m for m in found if m is not None] if len(found) == 1 else []
         branches: list[AnswerBranch] = []
         ended = False
         for m in motions:
@@ -458,7 +463,7 @@ class _Search:
             ended = ended or None in lasting
             branches += [b for b in lasting if b is not None]
         if ended and not branches:
-            raise ProblemError(slip_has_ended(self.question))
+            raise ProblemError(ranges.slip_has_ended(self.question))
         if not motions or any(b.rhs.free_symbols & {*places.values()} for b in branches):
             return None
         branches = [replace(b, states=tuple(without(s, places.values()) for s in b.states)) for b in branches]
@@ -508,14 +513,8 @@ class _Search:
             when.append(motion.solutions[self.question.by] - self.question.by)
         if self.question.by == t:
             return None if when else [AnswerBranch(called, value, (value,), ({},), motion.conditions)]
-        given = next(
-            (
-                e
-                for e in when
-                if e.is_Add and e.coeff(t, 1) in (1, -1) and t not in (e - e.coeff(t, 1) * t).free_symbols
-            ),
-            None,
-        )
+        linear = [e for e in when if e.is_Add and e.coeff(t, 1) in (1, -1)]
+        given = next((e for e in linear if t not in (e - e.coeff(t, 1) * t).free_symbols), None)
         timed = sorted((e for e in when if t in e.free_symbols), key=lambda e: (e is not given, count_operations(e)))
         for equation in timed:
             roots = times(equation, positive=self.question.by is None)
@@ -540,7 +539,8 @@ class _Search:
             elimination = eliminated(left, called, [self.parameter], [], called)
             if not elimination.solved or elimination.free:
                 return None
-            return [b for b in elimination.branches if not all(sign_of(v) == -1 for v in b.values)]
+            later = (after_start(b, root.value, self.parameter) for b in elimination.branches)
+            return [b for b in later if b is not None and not all(sign_of(v) == -1 for v in b.values)]
         if any(is_zero(e) is not True for e in left):
             return None
         at = motion.written(value.xreplace(rule))
@@ -556,11 +556,11 @@ class _Search:
         """t = ∫ dq/q' from q_0 to q_1, where one coordinate moves and an integral gives q'; None if it is not found."""
         beginning = self._beginning
         one = beginning.free == 1
-        if self.question.quantity != t or len(self.when) != 1 or not (one or beginning.along):
+        if self.question.quantity != t or len(self.when) != 1:
             return None
-        place = place_stated(self.when[0], self.setting, beginning)
+        place = place_stated(self.when[0], self.setting, beginning) if one or beginning.along else None
         if place is None:
-            return self._by_speed()
+            return self._by_speed() or approach(self._asked(Route.QUADRATURE, How.EXACT), self.when[0], self.setting)
         (q, end), initial = place, self.setting.initial
         if q not in initial or end.free_symbols & {*self.place.moving}:
             return None

@@ -10,15 +10,18 @@ Which branches of an answer exist with the values of a problem: those whose cond
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
-from lagrange.core.diagnostics import Diagnostic
+from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.symbols import Bounded
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.admissible_positions import distances
 from lagrange.mechanics.equilibrium.in_numbers import condition_holds
+from lagrange.mechanics.questions.branches import sign_of_value
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.results import AnswerBranch, Asked
 from lagrange.problem.model import Question
@@ -110,6 +113,35 @@ def _is_outside(q: sp.Symbol, state: SymbolValues, configuration: Configuration,
     if not all(n.is_number and n.is_real for n in numbers):
         return False
     return all(n > _TOLERANCE for n in numbers) if complement and numbers else any(n < -_TOLERANCE for n in numbers)
+
+
+def in_bounds(asked: Asked) -> Asked:
+    """The answer where a parameter that is asked for lies between its bounds, an acute angle is acute.
+
+    Raises ProblemError if it lies there nowhere.
+    """
+    parameter = asked.question.quantity
+    if not isinstance(parameter, Bounded):
+        return asked
+    kept = tuple(b for b in (_in_bounds(b, parameter) for b in asked.branches) if b is not None)
+    if not kept:
+        raise ProblemError(never_holds(asked.question))
+    return replace(asked, branches=kept)
+
+
+def _in_bounds(b: AnswerBranch, parameter: Bounded) -> AnswerBranch | None:
+    inside = [v for v in b.values if not is_beyond(v, parameter)]
+    if len(inside) == len(b.values):
+        return b
+    kept = [s for s in b.states if parameter not in s or not is_beyond(s[parameter], parameter)]
+    return b.at(kept) if inside and kept else None
+
+
+def is_beyond(value: sp.Expr, parameter: Bounded) -> bool:
+    """Whether a value is certainly none that the parameter may have."""
+    margins = (value - parameter.low, parameter.high - value)
+    pairs = zip(margins, parameter.strict, strict=True)
+    return any(sign_of_value(e) in ((0, -1) if strict else (-1,)) for e, strict in pairs)
 
 
 # With the values of the problem

@@ -22,12 +22,16 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import base, prime
+from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.questions.branches import InitialMotion, bounds, outright, sign_of_value
 from lagrange.mechanics.questions.elimination import eliminated
+from lagrange.mechanics.questions.forms import shown, under_one_root
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_FUNCTIONS, SMALLEST_DIFFERENCE
+from lagrange.mechanics.questions.quadrature import time_between
+from lagrange.mechanics.questions.results import AnswerBranch, Asked
 from lagrange.mechanics.questions.setting import Setting
 
 
@@ -277,6 +281,48 @@ def place_stated(when: sp.Expr, setting: Setting, beginning: InitialMotion) -> t
     return None
 
 
+def approach(asked: Asked, when: sp.Expr, setting: Setting) -> Asked | None:
+    """The time in which two bodies come to a distance u, if u'² is a function of u that increases all the way.
+
+    asked  without the answer
+    when   u − u_1, with u a sum of several coordinates with numbers as factors
+    """
+    slots = setting.place.configuration.slots
+    shares = {q: when.diff(q) for q in slots.coordinates if when.diff(q) != 0}
+    along = sp.Add(*(c * q for q, c in shares.items()))
+    rate = sp.Add(*(c * prime(q) for q, c in shares.items()))
+    end = sp.expand(along - when)
+    moving = {*setting.place.moving}
+    start, speed = (e.xreplace(dict(setting.initial)) for e in (along, rate))
+    pushed = sp.Add(*(c * setting.known.accelerations.get(prime(q, 2), sp.nan) for q, c in shares.items()))
+    pushed = pushed.xreplace(dict(setting.initial))
+    is_sum = len(shares) > 1 and all(c.is_number for c in shares.values()) and not setting.place.configuration.rows
+    if not is_sum or pushed.has(sp.nan) or any(e.free_symbols & moving for e in (start, end, speed, pushed)):
+        return None
+    way = sign_of_value(end - start)
+    starts = sign_of_value(pushed if is_zero(speed) is True else speed)
+    if way not in (1, -1) or starts != way:
+        return None
+    side = {sign_of_value(e) for e in (start, end)} <= {0, 1}
+    u = sp.Dummy("u", positive=True) if side else sp.Dummy("u", real=True)
+    first, c = next(iter(shares.items()))
+    rule = {first: sp.expand(first + (u - along) / c)}
+    used = [(i.expression - i.value).xreplace(rule) for i in setting.integrals]
+    unknowns = [*slots.velocities, *(q for q in slots.coordinates if q != first)]
+    found = eliminated(used, rate**2, unknowns, slots.velocities, rate**2)
+    values = {v for b in found.branches for v in b.values}
+    if not found.solved or found.free or len(values) != 1 or (square := values.pop()).free_symbols & moving:
+        return None
+    if sign_of_value(sp.factor(square.diff(u))) != way:
+        return None
+    velocity = way * sp.sqrt(square)
+    time = time_between(u, velocity, start, end, way)
+    integrand = (along, under_one_root(velocity).xreplace({u: along}), start, end)
+    return (
+        None if time is None else replace(asked, integrand=integrand, branches=(shown(AnswerBranch(t, time, (time,))),))
+    )
+
+
 def initial_motion(setting: Setting, rule: Mapping[sp.Symbol, sp.Expr], when: Sequence[sp.Expr]) -> InitialMotion:
     """The initial state, with what is known of the motion from it.
 
@@ -306,7 +352,20 @@ def initial_motion(setting: Setting, rule: Mapping[sp.Symbol, sp.Expr], when: Se
         setting.values,
         bounds(setting.problem),
         along,
+        _place(setting, [e.xreplace(dict(rule)) for e in when]),
     )
+
+
+def _place(setting: Setting, when: Sequence[sp.Expr]) -> sp.Expr | None:
+    """The one condition, if it is a continuous function of the coordinates alone."""
+    coordinates = {*setting.place.configuration.slots.coordinates}
+    if len(when) != 1 or (when[0].free_symbols & {*setting.place.moving}) - coordinates:
+        return None
+    [e] = when
+    is_continuous = not e.has(sp.tan, sp.cot, sp.log, sp.sign, sp.sec, sp.csc) and not any(
+        p.exp.is_negative and p.free_symbols & coordinates for p in e.atoms(sp.Pow)
+    )
+    return e if is_continuous and e.free_symbols & coordinates else None
 
 
 def _along(setting: Setting, own: Collection[sp.Symbol], when: Sequence[sp.Expr]) -> sp.Symbol | None:

@@ -29,6 +29,7 @@ class IntegralKind(StrEnum):
     WORK = "work"  # q'' = f(q) + g(q) q'^2, multiplied by an integrating factor and q', and integrated
     IMPULSE = "impulse"  # q'' = g(q) q', integrated over time
     SPEED = "speed"  # q'' = a(q'): q' dq'/a is dq
+    CENTRE = "centre"  # m x' + M X' = 0, integrated over time: the mass centre stays where it is
 
 
 class Route(StrEnum):

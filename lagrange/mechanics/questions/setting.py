@@ -23,8 +23,9 @@ from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions.elimination import eliminated
-from lagrange.mechanics.questions.integrals_of_motion import integrals
+from lagrange.mechanics.questions.integrals_of_motion import has_pole, integrals, resting_centres
 from lagrange.mechanics.questions.ranges import does_not_slip
+from lagrange.mechanics.questions.results import UsedIntegral
 from lagrange.mechanics.questions.states import (
     Meanings,
     MotionView,
@@ -113,6 +114,13 @@ class Setting:
             return None
         [value] = values
         return value if value.free_symbols.isdisjoint(moving) else None
+
+    def finite_integrals(self, when: Sequence[sp.Expr]) -> Iterator[Sequence[UsedIntegral]]:
+        """The integrals, without those that are infinite where a condition holds; then with mass centres at rest."""
+        coordinates = self.place.configuration.slots.coordinates
+        used = [i for i in self.integrals if not any(has_pole(i.expression, e, coordinates) for e in when)]
+        centres = resting_centres(used, self.place, self.initial)
+        yield from (several for several in (used, [*used, *centres] if centres else []) if several)
 
     def adapted(self, when: Sequence[sp.Expr]) -> sp.Symbol | None:
         """The one parameter without a value, where conditions are about parameters: the force at which a crate tips."""

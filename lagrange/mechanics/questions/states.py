@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
+from itertools import product
 
 import sympy as sp
 
@@ -32,7 +33,7 @@ from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.equilibrium.friction.balance import held_coordinates
-from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_TOGETHER
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_ANGLES, MOST_TOGETHER
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem, Question
 
 SymbolValues = Mapping[sp.Symbol, sp.Expr]
@@ -348,7 +349,8 @@ def initial_state(place: MotionView, problem: Problem, others: Sequence[Configur
     known |= {s: v for s, v in _from_choices(others, given, (*coordinates, *velocities)).items() if s not in known}
     finite = [_at_start(f) for f in configuration.finite_constraints]
     placed = [e for e, v in conditions if not v.symbol.name.endswith("'")]
-    known |= _positions([*finite, *placed], coordinates, known)
+    whole = bool(configuration.expressed) and configuration.expressed.keys() <= given.keys()
+    known |= _positions([*finite, *placed], coordinates, known, one_position=whole)
     rows = [_at_start(r.velocity_form(configuration.slots)) for r in configuration.rows]
     moved = [e for e, v in conditions if v.symbol.name.endswith("'")]
     known |= _velocities([e.xreplace(known) for e in (*rows, *moved)], velocities, known)
@@ -389,21 +391,53 @@ def _from_choices(
 
 
 def _positions(
-    equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], known: SymbolValues
+    equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], known: SymbolValues, *, one_position: bool = False
 ) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates determined by the equations and the known coordinates."""
+    """The coordinates determined by the equations and the known coordinates.
+
+    one_position  all solutions are names of one position, r and θ or −r and θ + π: the simplest is taken
+    """
     open_ = [e for e in (f.xreplace(dict(known)) for f in equations) if e.free_symbols & {*coordinates}]
     unknown = [q for q in coordinates if q not in known]
     if not open_ or not unknown:
         return {}
+    if one_position and (seen := _angles_seen(open_, unknown)) is not None:
+        return seen
     try:
         solved = solutions(open_, unknown)
     except (NotAlgebraicError, DivisionByZeroError):
         return {}
     branches = [b for b in solved.branches if not b.special]
-    if len(branches) != 1 or branches[0].left:
+    if any(b.left for b in branches) or (len(branches) != 1 and not (one_position and branches)):
         return {}
-    return {r.lhs: r.rhs for r in branches[0].relations if r.lhs in unknown and not r.rhs.free_symbols & {*unknown}}
+    values = [{r.lhs: r.rhs for r in b.relations if r.lhs in unknown} for b in branches]
+    values = [{s: e for s, e in v.items() if not e.free_symbols & {*unknown}} for v in values]
+    return min(values, key=_size_of_position)
+
+
+def _angles_seen(equations: Sequence[sp.Expr], unknown: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
+    """Angles that satisfy equations and stand in them already, or are right: θ = α where l sin θ is l sin α.
+
+    None where there are none, or lengths among the unknowns.
+    """
+    waves = {f for e in equations for f in e.atoms(sp.sin, sp.cos)}
+    given = [f.args[0] for f in sorted(waves, key=str) if f.free_symbols.isdisjoint(unknown)]
+    angles = {f.args[0] for f in waves}
+    if len(unknown) > MOST_ANGLES or len({*given}) > MOST_ANGLES or not {*unknown} <= angles:
+        return None
+    plain = [e for a in dict.fromkeys(given) for e in (a, sp.pi - a, -a)]
+    candidates = [*plain, sp.S.Zero, sp.pi / 2, -sp.pi / 2, sp.pi]
+    for values in product(candidates, repeat=len(unknown)):
+        rule = dict(zip(unknown, values, strict=True))
+        if all(sp.expand(e.xreplace(rule)) == 0 for e in equations):
+            return rule
+    return None
+
+
+def _size_of_position(values: SymbolValues) -> tuple[int, float]:
+    """The least of this is the simplest of several sets of coordinates of one position: no negative radius, no turn."""
+    negative = sum(sign_of(e) == -1 for e in values.values())
+    return negative, sum(abs(float(e)) for e in values.values() if e.is_number)
 
 
 def _velocities(
@@ -411,6 +445,7 @@ def _velocities(
 ) -> dict[sp.Symbol, sp.Expr]:
     """The velocities determined by equations linear in them and the known velocities."""
     rates: dict[sp.Symbol, sp.Expr] = {}
+    moving = {*velocities, *map(base, velocities)}
     for _ in velocities:
         for e in equations:
             e = e.xreplace(rates)
@@ -419,7 +454,8 @@ def _velocities(
                 continue
             [v] = unknown
             slope = e.diff(v)
-            if v in slope.free_symbols or is_zero(slope) is not False:
+            # A slope that depends on a position that is not known may be zero in it:
+            if not slope.free_symbols.isdisjoint(moving) or is_zero(slope) is not False:
                 continue
             rates[v] = tidy_quotient(-e.xreplace({v: sp.S.Zero}) / slope)
     rates |= _together([e.xreplace(rates) for e in equations], [v for v in velocities if v not in rates])

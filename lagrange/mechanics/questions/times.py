@@ -33,6 +33,7 @@ from lagrange.core.symbols import t
 from lagrange.mechanics.questions.branches import sign_of_value
 from lagrange.mechanics.questions.forms import with_whole_logarithms
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
+from lagrange.mechanics.questions.results import AnswerBranch
 
 
 @record
@@ -77,6 +78,23 @@ def _positive(root: TimeRoot) -> TimeRoot | None:
         if condition not in root.conditions:
             return TimeRoot(root.value, (*root.conditions, condition))
     return root
+
+
+def after_start(b: AnswerBranch, time: sp.Expr, parameter: sp.Symbol) -> AnswerBranch | None:
+    """The part of a branch, of a parameter that is asked for, in which a time is not certainly before or at the start.
+
+    A ball that is thrown at right angles to a slope moves at right angles to it at t = 0, where it is on the slope too.
+    """
+    kept = []
+    in_angles = sp.expand_trig(time)
+    for state in b.states:
+        named = {str(s): e for s, e in state.items()}
+        rule = {f: named[str(f)] for f in (parameter, sp.cos(parameter), sp.sin(parameter)) if str(f) in named}
+        functions = {f: e for f, e in rule.items() if f != parameter}
+        value = factored_quotient(in_angles.xreplace(functions).xreplace(rule))
+        if is_zero(value) is not True and sign_of_value(value) != -1:
+            kept.append(state)
+    return b.at(kept) if kept or not b.states else None
 
 
 def _without_square_roots(value: sp.Expr) -> sp.Expr:

@@ -88,7 +88,7 @@ def _grid(parameter: Parameter, low: Fragment, high: Fragment, step: Fragment) -
         raise ProblemError(Diagnostic("bad-range", message, step.whole, help=f"write `{_EXAMPLE}`"))
     number = int((end - begin) // stride) + 1
     if number > MOST_VARIED_VALUES:
-        message = f"the range of `{parameter.symbol}` has {number:,} values, and {MOST_VARIED_VALUES:,} are the most"
+        message = f"the range of `{parameter.symbol}` has {number:,} values; at most {MOST_VARIED_VALUES:,} are allowed"
         raise ProblemError(Diagnostic("bad-range", message, step.whole, help="take a larger step"))
     return tuple(f"{decimal(begin + k * stride)} {unit}".strip() for k in range(number))
 

@@ -112,6 +112,17 @@ def test_conditions_that_exclude_each_other() -> None:
     assert further_conditions(given) is None
 
 
+def test_what_is_positive_is_not_said_to_differ_from_zero() -> None:
+    """Also of conditions that are no polynomials."""
+    slope = sp.cos(k) - m * sp.sin(k)
+    positive, other = condition(slope, ">", 0), condition(m, ">", g)
+    assert further_conditions([condition(slope, "≠", 0), positive]) == (positive,)
+    assert further_conditions([other, condition(-slope, "≠", 0), positive]) == (other, positive)
+    assert further_conditions([condition(slope, "≥", 0), condition(slope, "≠", 0)]) == (
+        condition(sp.cos(k), ">", m * sp.sin(k)),
+    )
+
+
 def test_what_is_known_is_not_repeated() -> None:
     known = [condition(k * R, "≥", 2 * m * g)]
     assert further_conditions([pulls], known) == ()

@@ -15,6 +15,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import (
     irreducible_factors,
     numerator,
     polynomial_roots,
+    shortest_value,
     solved_for_powers,
     square_root,
     vanish_at_origin_alone,
@@ -217,3 +218,25 @@ def test_squares_that_exist_under_conditions() -> None:
             (2 * b_linear_in_powers, a_linear_in_powers),
             (2 * a_linear_in_powers, b_linear_in_powers),
         }
+
+
+# -- Values as a book would print them ---------------------------------------------------------------------------------
+
+
+B, W, l, b, g, M, m = sp.symbols("B W l b g M m", positive=True)
+
+
+@pytest.mark.parametrize(
+    ("long", "short"),
+    [
+        ((B * l + 2 * W * b) / (2 * l), "B/2 + W*b/l"),
+        ((B * l + 2 * W * (l - b)) / (2 * l), "B/2 - W*b/l + W"),
+        (g * (M / m + 1) / 2, "g*(M + m)/(2*m)"),
+        ((l**2 + b**2) / (b * l), "(b**2 + l**2)/(b*l)"),  # and not b/l + l/b
+        (g * (m - M) / (-m - M), "g*(M - m)/(M + m)"),
+    ],
+)
+def test_a_value_is_in_its_shortest_form(long: sp.Expr, short: str) -> None:
+    found = shortest_value(long)
+    assert sp.cancel(found - long) == 0
+    assert str(found) == short

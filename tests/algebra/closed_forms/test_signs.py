@@ -196,3 +196,11 @@ def test_an_angle_of_more_than_half_a_turn_stays_in_its_sine() -> None:
     """sin(γ − α) changes its sign at γ − α = π, −π."""
     found = more_than_zero(sp.sin(WIDE) * sp.cos(ALPHA) - sp.cos(WIDE) * sp.sin(ALPHA))
     assert found.lhs.has(sp.sin)
+
+
+def test_a_positive_power_is_no_part_of_a_condition() -> None:
+    """Neither e^(−r/a), nor r and r^n where r is known to be positive, changes the sign of a r − r²."""
+    r, n = sp.symbols("r n", real=True)
+    found = more_than_zero(r**n * (a * r - r**2) * sp.exp(-r / a), [r])
+    assert (found.lhs, found.relation, found.rhs) == (a, ">", r)
+    assert more_than_zero(r**n * (a - r)).lhs.has(n)  # r^n of a negative r has no sign

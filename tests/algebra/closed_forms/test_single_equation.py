@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.single_equation import parallel_angles
+from lagrange.algebra.closed_forms.single_equation import Relation, parallel_angles
 from lagrange.algebra.closed_forms.unit_circle import TrigLetters
 from tests.support.found_solutions import ALPHA, POSITIVE, apart, near, predicted, values_of
 from tests.support.solution_counts import function, roots
@@ -138,3 +138,14 @@ def test_parallel_angles() -> None:
         sp.cos(a) * sp.cos(b) - sp.sin(a) * sp.sin(b): None,
     }.items():
         assert parallel_angles(letters.read(e), (a, b, c), letters) == expected
+
+
+def test_what_the_square_of_a_rate_makes_positive() -> None:
+    m, k = sp.symbols("m k", positive=True)
+    v, r, n = sp.symbols("v r n", real=True)
+    assert Relation(v**2, k / (m * r**3)).positive == (r,)
+    assert Relation(v**2, k * (1 + k / r**2) / r**3).positive == (r,)
+    assert Relation(v**2, k * r ** (n - 1) / m).positive == (r,)
+    assert Relation(v**2, k / (m * r**2)).positive == ()
+    assert Relation(v**2, k * (n - m) / r).positive == ()
+    assert Relation(v, k / r).positive == ()

@@ -80,7 +80,7 @@ def test_reactions_left_out_or_taken_as_the_weight(problem: str, key: str, state
 # The acceleration at the start
 
 
-FIRST = "the acceleration at the start is taken as constant, and it changes"
+FIRST = "the acceleration at the start is taken as constant, but it changes"
 OF_THE_START: list[Row] = [
     ("boat-that-drifts", "ask", {"in_all": "m*v/(2*b)"}, FIRST),
     ("boat-that-drifts", "ask", {"half": "m/(2*b)"}, FIRST),

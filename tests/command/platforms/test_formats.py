@@ -14,7 +14,7 @@ from tests.command.test_main import run
 def test_these_formats_are_about_one_submission(format_: str, submission: Path) -> None:
     (submission / "a").write_text(RIGHT)
     for more, said in (
-        (["submission"], "one submission"),
+        (["submission"], "a single submission"),
         (["--csv", "m.csv"], "leave out"),
     ):
         assert said in run("grade", "ex11", "submission", *more, "--format", format_).stderr

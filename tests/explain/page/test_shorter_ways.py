@@ -81,7 +81,7 @@ def test_friction_is_tried_where_something_slides() -> None:
         ("constant-speed", "2v² λ dt"),
         ("constant-speed", "λ = (m g/(2v²)) ẏ"),
         ("appell-hamel", "λ = −m g/(2 (a² + 1) ż)"),
-        ("triatomic-molecule", "but for a uniform motion of x₁, x₂ and x₃ together"),
+        ("triatomic-molecule", "apart from a uniform motion of x₁, x₂ and x₃ together"),
         ("door-closer", "turns about a fixed axis through O. It is turned through the angle θ. Its moment of inertia about "
          "this axis is J"),
         ("ball-in-a-pipe", "about every axis through the mass centre is (2/5) m b²"),

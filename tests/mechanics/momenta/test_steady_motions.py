@@ -453,3 +453,26 @@ answers: {steady: ["m*r*phi'^2 = K*exp(-r/a)*(1/r^2 + 1/(a*r))"]}
         )
     )
     assert [a["verdict"] for a in found["answers"]] == ["equivalent"]
+
+
+@pytest.mark.parametrize(
+    ("force", "where"),
+    [("K/r^2*exp(-r/b)", "b > r"), ("K/r^2 + K*b^2/r^4", "r > b"), ("K*r^n", "n + 3 > 0")],
+)
+def test_a_circular_orbit_has_a_positive_radius(force: str, where: str) -> None:
+    """It is stable where 3 + r F'/F > 0: screened, 1 > r/b; of a power, n > −3; 1/r² + b²/r⁴ only outside r = b."""
+    text = f"""title: Orbit
+parameters: {{m: positive, K: positive, b: positive, n: real}}
+coordinates: [r, phi]
+frame: {{type: polar, coordinates: [r, phi]}}
+particles: {{P: {{mass: m, position: r*e_r}}}}
+forces: {{centre: {{on: P, vector: "-({force})*e_r"}}}}
+find: steady
+"""
+    motions = solve(read(text)).own.steady
+    assert motions is not None
+    [family] = [f for f in motions.families if f.rates]
+    [at] = [s for s in family.about.at if s is not None]
+    where_stable = at.judgement.stability.conditions
+    said = " and ".join(f"{c.lhs} {c.relation} {c.rhs}" for c in where_stable)
+    assert said == where

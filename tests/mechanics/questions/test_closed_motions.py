@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
+from scipy.integrate import solve_ivp
 
 import lagrange
 from lagrange.core.symbols import prime, t
 from lagrange.mechanics.questions.closed_motions import closed_motions
 from lagrange.mechanics.solution import solve
+from tests.mechanics.questions.test_questions import Read
 
 x = sp.Symbol("x", real=True)
 v, a = prime(x), prime(x, 2)
@@ -88,3 +90,26 @@ def test_a_thrown_stone() -> None:
 def test_without_an_initial_state_nothing_is_known() -> None:
     text = THROWN.replace("initial: {x: 0, y: 0, x': v, y': 0}\n", "")
     assert solve(lagrange.loads(text), complete=False).from_start is None
+
+
+@pytest.mark.parametrize("law", ["-c*sqrt(x')", "-c*x'*sqrt(x')", "-c*x'^3", "c/x'"])
+def test_a_resistance_as_a_power_of_the_speed(problem: Read, law: str) -> None:
+    """The speed and the way as functions of time against an integration; a boat with −c √x' stops at 2 m √v/c."""
+    text = f"""title: Boat
+parameters: {{m: positive, c: positive, v: positive}}
+coordinates: [x]
+particles: {{boat: {{mass: m, position: x*i}}}}
+forces: {{water: {{on: boat, vector: "({law})*i"}}}}
+initial: {{x: 0, x': v}}
+ask: {{speed: {{quantity: "x'", by: t}}, way: {{quantity: x, by: t}}}}
+"""
+    speed, way = solve(problem(text), complete=False).asked
+    numbers = {sp.Symbol("m", positive=True): 2, sp.Symbol("c", positive=True): 3, sp.Symbol("v", positive=True): 4}
+    powers = {"-c*sqrt(x')": (-1, 0.5), "-c*x'*sqrt(x')": (-1, 1.5), "-c*x'^3": (-1, 3), "c/x'": (1, -1)}
+    sign, power = powers[law]
+    motion = solve_ivp(lambda _, y: [y[1], sign * 1.5 * y[1] ** power], (0, 1), [0, 4], rtol=1e-10, atol=1e-12)
+    for asked, expected in zip((way, speed), motion.y[:, -1], strict=True):
+        [b] = asked.branches
+        assert float(b.rhs.subs(numbers).subs(t, 1)) == pytest.approx(expected, rel=1e-7)
+    lasts = [c for c in speed.branches[0].conditions if t in c.lhs.free_symbols]
+    assert [c.rhs.subs(numbers) for c in lasts] == ([sp.Rational(8, 3)] if law == "-c*sqrt(x')" else [])

@@ -8,15 +8,18 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+import sympy as sp
 
 import lagrange
 from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import report
 from lagrange.mechanics.questions.ranges import branches_with
 from lagrange.mechanics.results import values_in
 from lagrange.mechanics.solution import solve
 from lagrange.render import terminal
+from tests.mechanics.questions.test_questions import asked
 from tests.mechanics.test_book_questions import Read
 
 STONE = """
@@ -90,3 +93,24 @@ def test_a_condition_that_the_values_violate_excludes_its_branch_and_an_open_one
     conditions = [SignCondition(v, ">", 2 * v), SignCondition(g, ">", m), SignCondition(h, ">", m)]
     branches = tuple(replace(branch, conditions=(c,)) for c in conditions)
     assert branches_with(replace(asked, branches=branches), values) == branches[1:]
+
+
+THROWN = """title: A ball thrown from the foot of a slope
+axes: {i: right, j: up}
+parameters: {m: positive, g: positive, v: positive, alpha: acute, beta: acute}
+coordinates: [x, y]
+particles: {ball: {mass: m, position: x*i + y*j}}
+gravity: -g*j
+initial: {x: 0, y: 0, x': v*cos(alpha), y': v*sin(alpha)}
+"""
+
+
+def test_an_acute_angle_that_is_asked_for_is_acute(problem: Read) -> None:
+    """At right angles to the slope at the start, it would be thrown at β + π/2 or β − π/2, which are not acute."""
+    hits = "ask: {it: {quantity: alpha, when: [y = x*tan(beta), \"x'*cos(beta) + y'*sin(beta) = 0\"]}}\n"
+    [b] = asked(problem, THROWN + hits).branches
+    beta = next(iter(b.rhs.free_symbols))
+    assert is_zero(b.rhs - sp.cot(beta) - 2 * sp.tan(beta)) is True
+    with pytest.raises(ProblemError) as error:
+        asked(problem, THROWN + "ask: {it: {quantity: alpha, when: [t = 0, \"x'*cos(beta) + y'*sin(beta) = 0\"]}}\n")
+    assert error.value.diagnostics[0].code == "never-holds"

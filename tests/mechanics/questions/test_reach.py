@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import mpmath
 import pytest
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import Bounded, sign_in_range
 from lagrange.mechanics.questions.reach import Path, Reached
+from lagrange.mechanics.solution import solve
+from tests.mechanics.questions.test_questions import Read
 
 x, theta = sp.symbols("x theta", real=True)
 a, b, g, k, l, v, K, R = sp.symbols("a b g k l v K R", positive=True)
@@ -102,3 +106,51 @@ def test_what_goes_on_round_does_not_come_back_the_same_way() -> None:
     square = (v**2 - 2 * g * l * (1 - sp.cos(theta))) / l**2
     path = Path(theta, square, sp.pi / 4, 1, values={s: sp.Float(n) for s, n in numbers.items()})
     assert path.to(sp.S.Zero).verdict is Reached.NEVER
+
+
+STARS = """title: Two stars
+parameters: {m: positive, M: positive, G: positive, d: positive, b: positive}
+coordinates: [x, y]
+particles: {A: {mass: m, position: x*i}, B: {mass: M, position: y*i}}
+forces: {attraction: {potential: -G*m*M/(y - x)}}
+initial: {x: 0, y: d, x': 0, y': 0}
+"""
+
+
+def test_two_stars_fall_together(problem: Read) -> None:
+    """They meet in their mass centre after π √(d³/(8 G (m + M))); against the integral, in numbers."""
+    text = (
+        STARS
+        + """ask:
+  time: {quantity: t, when: y = x}
+  half: {quantity: t, when: y - x = d/2}
+  place: {quantity: x, when: y = x}
+  speed: {quantity: "x'", when: y - x = d/2}
+"""
+    )
+    m, M, G, d = (sp.Symbol(n, positive=True) for n in ("m", "M", "G", "d"))
+    found = {a.question.name: a for a in solve(problem(text), complete=False).asked}
+    [time], [half], [place], [speed] = (found[n].branches for n in ("time", "half", "place", "speed"))
+    assert is_zero(time.rhs - sp.pi * sp.sqrt(d**3 / (8 * G * (m + M)))) is True
+    assert is_zero(place.rhs - M * d / (m + M)) is True
+    assert is_zero(speed.rhs - M * sp.sqrt(2 * G / (d * (m + M)))) is True  # towards the other one
+    numbers = {m: 2, M: 3, G: 1, d: 5}
+    integral = mpmath.quad(lambda u: 1 / mpmath.sqrt(2 * 5 * (1 / u - mpmath.mpf(1) / 5)), [2.5, 5])
+    assert float(half.rhs.subs(numbers)) == pytest.approx(float(integral))
+
+
+def test_a_repulsion_does_not_bring_two_bodies_together(problem: Read) -> None:
+    """Neither "never" nor a time: whether they meet is not known where the energy is infinite."""
+    text = STARS.replace("-G*m*M", "G*m*M") + "ask: {time: {quantity: t, when: y = x}}\n"
+    [asked] = solve(problem(text), complete=False).asked
+    assert not asked.answered
+
+
+def test_a_force_as_the_inverse_distance_and_the_ratio_of_two_velocities(problem: Read) -> None:
+    """(m M/(m + M)) u²/2 = C log 2 at half the distance; the velocities are as the other masses, from rest too."""
+    text = STARS.replace("-G*m*M/(y - x)", "G*log(y - x)")
+    text += 'ask: {speed: {quantity: "x\'", when: y - x = d/2}, ratio: {quantity: "x\'/y\'", when: y - x = d/2}}\n'
+    m, M, G = (sp.Symbol(n, positive=True) for n in ("m", "M", "G"))
+    [speed], [ratio] = (a.branches for a in solve(problem(text), complete=False).asked)
+    assert is_zero(speed.rhs**2 - 2 * M * G * sp.log(2) / (m * (m + M))) is True
+    assert is_zero(ratio.rhs + M / m) is True

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 import sympy as sp
 
@@ -15,7 +17,7 @@ from lagrange.mechanics.solution import solve
 from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.mechanics.questions.test_arrivals import BOAT
-from tests.mechanics.questions.test_questions import PENDULUM, SPHERE, Read
+from tests.mechanics.questions.test_questions import PENDULUM, SPHERE, Read, asked
 
 
 def test_the_initial_state_is_used_where_nothing_is_asked(problem: Read) -> None:
@@ -83,3 +85,42 @@ ask: {it: {quantity: "x'", when: [theta = 0, x = l, "y = x", "y' = 0"]}}
     slots = file_configuration(read, classify(read).constrained).slots
     stated = places_stated(read.questions[0], slots)
     assert {q.name: str(v) for q, v in stated.items()} == {"theta": "0", "x": "l"}
+
+
+def bowl(start: str) -> str:
+    return f"""title: A particle in a bowl
+axes: {{i: right, j: back, k: up}}
+parameters: {{m: positive, R: positive, v: positive, g: positive}}
+coordinates: [x, y, z]
+particles: {{P: {{mass: m, position: [x, y, z]}}}}
+constraints: {{bowl: {{equation: x^2 + y^2 + z^2 <= R^2, reaction: N, by: surface}}}}
+gravity: -g*k
+generalized_coordinates:
+  spherical: {{coordinates: [theta, phi],
+    substitute: {{x: R*cos(theta)*cos(phi), y: R*cos(theta)*sin(phi), z: -R*sin(theta)}}}}
+initial: {{{start}}}
+ask: {{lowest: {{quantity: z, when: "theta' = 0"}}}}
+"""
+
+
+def test_a_position_that_is_given_has_several_names_in_a_choice(problem: Read) -> None:
+    """θ = φ = 0 or θ = φ = π: one place, in which a velocity along y is one of φ. The depth is that of Lamb."""
+    answer = asked(problem, bowl("x: R, y: 0, z: 0, x': 0, y': v, z': 0"))
+    R, v, g = (sp.Symbol(n, positive=True) for n in "Rvg")
+    [b] = answer.branches
+    assert is_zero(b.values[0] + (sp.sqrt(v**4 + 16 * g**2 * R**2) - v**2) / (4 * g)) is True
+
+
+def test_a_velocity_that_leaves_a_surface_still_contradicts(problem: Read) -> None:
+    with pytest.raises(ProblemError) as error:
+        asked(problem, bowl("x: R, y: 0, z: 0, x': v, y': 0, z': 0"))
+    assert error.value.diagnostics[0].code == "initial-contradicts"
+
+
+def test_a_position_by_the_angles_that_the_file_gives(problem: Read) -> None:
+    """l sin α, 0, −l cos α is θ = α, φ = 0; in a circle v² = g l sin α tan α."""
+    text = bowl("x: R*cos(b), y: 0, z: -R*sin(b), x': 0, y': v, z': 0").replace("R: positive", "R: positive, b: acute")
+    text = text[: text.index("ask:")] + "ask: {circle: {quantity: v, when: [t = 0, \"theta'' = 0\"]}}\n"
+    [branch] = asked(problem, text).branches
+    values = {s: {"b": sp.Rational(1, 3), "g": 10, "R": 2}[s.name] for s in branch.rhs.free_symbols}
+    assert float(branch.rhs.subs(values)) ** 2 == pytest.approx(20 * math.cos(1 / 3) / math.tan(1 / 3))

@@ -23,6 +23,12 @@ from itertools import combinations, product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import (
+    NeverPositiveError,
+    conditions_for,
+    positive_part,
+    with_shortest_conditions,
+)
 from lagrange.algebra.closed_forms.shortest_form import without_leading_minus
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation
@@ -265,6 +271,9 @@ def _at_limit(
         if None in verdicts and c.reaction.constraint.side is None and c.friction.contact is None:
             what = f"impending motion without the sign of the reaction of `{c.reaction.name}` (give `contact`),"
             raise NotCoveredError(what, c.friction.span)
+    resting = _where_pressed(resting, contacts, pressed, signs)
+    if not resting.branches:
+        return None
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
     unstated = {} if resting.given else held
     return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, unstated, held)
@@ -428,6 +437,29 @@ def _is_pulled_off(newton: Newton, pressed: Mapping[sp.Symbol, sp.Expr], signs: 
         if any((signs.assuming(shortest(other)) if other != 0 else signs).of(force) == -1 for other in needed[:n]):
             return True
     return any(signs.of(force) == -1 for force in needed)
+
+
+def _where_pressed(
+    resting: Equilibrium, contacts: Sequence[RoughContact], pressed: Mapping[sp.Symbol, sp.Expr], signs: Signs
+) -> Equilibrium:
+    """The equilibria with the conditions on the parameters under which every normal force presses.
+
+    The push P = W (sin α + μ cos α)/(cos α − μ sin α) up an incline needs N = W/(cos α − μ sin α) > 0: beyond that
+    slope no push slides the block, and the formula is that of a force which would pull it off.
+    """
+    kept: list[tuple[int, Branch]] = []
+    for n, b in enumerate(resting.branches):
+        stated = {r.lhs: r.rhs for r in b.relations if r.lhs in resting.forces}
+        forces = [shortest(((c.sign or 1) * pressed[c.reaction.force]).xreplace(stated)) for c in contacts]
+        unknown = {*resting.solution.unknowns, *resting.forces}
+        asked = [f for f in forces if f.free_symbols.isdisjoint(unknown) and signs.of(f) is None]
+        try:
+            further = conditions_for(asked, [positive_part(c) for c in b.conditions if c.relation in "<>"]) or ()
+        except NeverPositiveError:
+            continue
+        kept.append((n, replace(b, conditions=(*b.conditions, *further)) if further else b))
+    idle = tuple(resting.idle[n] for n, _ in kept if n < len(resting.idle))
+    return replace(resting, branches=tuple(with_shortest_conditions([b for _, b in kept])), idle=idle)
 
 
 def _sign_there(

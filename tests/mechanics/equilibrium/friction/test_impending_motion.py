@@ -144,3 +144,29 @@ def test_where_displacements_are_singular_all_equations_of_balance_count(problem
     """2T cos θ = W, N = w + W/2 and T sin θ = μ N; strings that hang straight down make friction zero."""
     [branch] = in_json.as_object(report(problem(RINGS)))["equilibrium"]
     assert branch == ["tan(theta) = mu*(W + 2*w)/W"]
+
+
+PUSHED_UP = """title: Block pushed up an incline by a horizontal force
+parameters: {W: positive, alpha: acute, mu: positive}
+unknowns: [P]
+coordinates: [s, n]
+particles: {block: {position: s*i + n*j}}
+constraints:
+  plane: {equation: n >= 0, reaction: N}
+forces:
+  load: {on: block, vector: -W*sin(alpha)*i - W*cos(alpha)*j}
+  push: {on: block, vector: P*(cos(alpha)*i - sin(alpha)*j)}
+  rub: {friction: mu, static: mu, constraint: plane, on: block, slip: i}
+find: impending
+"""
+
+
+@pytest.mark.parametrize("push", ["P", "-P"])
+def test_the_normal_force_presses_at_the_limit(problem: Read, push: str) -> None:
+    """N = W/(cos α − μ sin α): on a slope beyond cot α = μ no push slides the block."""
+    text = PUSHED_UP.replace("vector: P*(", f"vector: ({push})*(")
+    motions = next(v.impending for v in reversed(solved(problem, text).views) if v.impending)
+    conditions = [
+        f"{c.lhs} {c.relation} {c.rhs}" for m in motions for b in m.equilibrium.branches for c in b.conditions
+    ]
+    assert conditions == ["cos(alpha) > mu*sin(alpha)"]
