@@ -5,7 +5,7 @@ r"""Formulas in the languages of Typst, of LibreOffice and of AsciiMath, put int
                  ddot %theta = - g over l sin %theta                     (theta)'' = - (g)/(l) sin theta
     AsciiMath    ddot theta + (g)/(l) sin theta = 0                      (theta)'' + ...
 
-A text with a command of LaTeX is in none of them. What has no meaning for an equation, alignment and spaces, becomes blank.
+A text with a command of LaTeX is in none of them. What is no part of an equation, as alignment, becomes blank.
 """
 
 from __future__ import annotations
