@@ -14,11 +14,12 @@ equilibria.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.verdicts import FIRST, AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.core.records import record
 from lagrange.problem.model import Problem, Weight
 
@@ -119,11 +120,11 @@ def _part(weight: Weight, share: Fraction, verdict: str) -> PartScore:
 
 
 def _of_part(weight: Weight, problem: Problem, judgement: Judgement, required: int | None) -> PartScore:
-    answer = _answer(weight.part, judgement)
+    answer = _answer(weight.part, problem, judgement)
     if answer is None:
         return _part(weight, Fraction(0), MISSING)
     if weight.name:
-        named = next((e for e in answer.equations if e.text.partition(":")[0] == weight.name), None)
+        named = next((e for e in answer.equations if weight.name in (e.part, e.text.partition(":")[0])), None)
         if named is None:
             return _part(weight, Fraction(0), MISSING)
         return _part(weight, _share_of_statement(named.verdict), named.verdict.value)
@@ -137,12 +138,34 @@ def _of_part(weight: Weight, problem: Problem, judgement: Judgement, required: i
     return _part(weight, share, verdict.value)
 
 
-def _answer(part: str, judgement: Judgement) -> AnswerVerdict | None:
+def _answer(part: str, problem: Problem, judgement: Judgement) -> AnswerVerdict | None:
     """The verdict on a part; None if it was not answered."""
     of_equations = "equilibrium" if judgement.statics else "reactions" if judgement.reactions else "equations"
+    forces = _stated_reactions(problem, judgement.each) if of_equations == "equations" else []
+    weighed = any(w.part == "reactions" for w in problem.points)
     if part == of_equations and judgement.each:
-        return judgement.equations
-    return next((a for a in judgement.others if a.name == part), None)
+        others = [e for e in judgement.each if not (weighed and any(f.text == e.text for f in forces))]
+        if not others or len(others) == len(judgement.each):
+            return judgement.equations if others else None
+        incomplete = [Verdict.INCOMPLETE] * bool(judgement.missing)
+        return replace(judgement.equations, verdict=_first(others, incomplete), equations=tuple(others))
+    found = next((a for a in judgement.others if a.name == part), None)
+    if found is None and part == "reactions" and forces:
+        return AnswerVerdict(_first(forces), tuple(forces), name=part)
+    return found
+
+
+def _first(each: Sequence[EquationVerdict], further: Sequence[Verdict] = ()) -> Verdict:
+    """The verdict on several equations."""
+    verdicts = [*(e.verdict for e in each), *further]
+    return next((v for v in FIRST if v in verdicts), Verdict.EQUIVALENT)
+
+
+def _stated_reactions(problem: Problem, each: Sequence[EquationVerdict]) -> list[EquationVerdict]:
+    """The equations of a text that give a force of constraint, `N = ...`, each with the name of its constraint."""
+    names = {c.reaction.name: c.name for c in problem.constraints}
+    stated = ((e, re.sub(r"[\s{}$&\\]", "", e.text.partition("=")[0])) for e in each)
+    return [replace(e, part=names[force]) for e, force in stated if force in names]
 
 
 def _share_of_equations(answer: AnswerVerdict, required: int | None) -> Fraction:

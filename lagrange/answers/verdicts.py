@@ -78,6 +78,7 @@ class EquationVerdict:
     hints  for a wrong equation of motion: the diagnosis at each of the three hint levels, the last being `diagnosis`
     cause  the mistake in a few words, the same for all who made it; empty if it is not known
     model  the name of the model that explains it; empty if none does
+    part   of an answer to several questions: the name of the one that it answers
     """
 
     text: str
@@ -88,6 +89,7 @@ class EquationVerdict:
     hints: tuple[str, ...] = ()
     cause: str = ""
     model: str = ""
+    part: str = ""
 
     @classmethod
     def of(cls, text: str, verdict: Verdict, comment: str) -> EquationVerdict:

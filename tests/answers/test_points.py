@@ -164,3 +164,49 @@ def test_mistakes_in_weights_stand_at_their_place(points: str, code: str, said: 
     assert diagnostic.span is not None
     assert "points: {" in str(diagnostic) or "points: 6" in str(diagnostic)
     assert diagnostic.help
+
+
+# -- A text: which line answers what -----------------------------------------------------------------------------------
+
+SPHERE = """
+title: Particle on a sphere
+coordinates: [r, theta]
+parameters: [m, g, R]
+particles: {P: {mass: m, position: r*sin(theta)*i + r*cos(theta)*j}}
+constraints: {sphere: {equation: r >= R, reaction: N}}
+gravity: -g*j
+initial: {theta: 0, theta': 0}
+ask: {leaves: {quantity: theta, when: N = 0}}
+points: {equations: 3, ask: {leaves: 4}, reactions: {sphere: 2}}
+"""
+RIGHT = {
+    "equations": "R theta'' = g sin theta",
+    "sphere": "N = m g cos(theta) - m R theta'^2",
+    "leaves": "cos(theta) = 2/3",
+}
+MISTAKES = {"equations": "R theta'' = g cos theta", "sphere": "$N$ = m g cos(theta)", "leaves": "cos(theta) = 3/4"}
+
+
+@pytest.fixture(scope="module")
+def sphere() -> Grader:
+    return Grader.of(Examiner.of(read_problem(Source("sphere", SPHERE))))
+
+
+@pytest.mark.parametrize("wrong", [(), *((part,) for part in RIGHT), ("equations", "sphere"), ("sphere", "leaves")])
+def test_each_line_of_a_text_earns_the_points_of_its_part(sphere: Grader, wrong: tuple[str, ...]) -> None:
+    lines = [MISTAKES[part] if part in wrong else line for part, line in RIGHT.items()]
+    found = graded(sphere, "\n".join(lines))
+    assert found.score is not None
+    earned = {p.part.rpartition(": ")[2]: (str(p.points), p.verdict) for p in found.score.parts}
+    whole = {"equations": "3", "sphere": "2", "leaves": "4"}
+    assert earned == {p: ("0", "wrong") if p in wrong else (whole[p], "equivalent") for p in whole}
+    assert not any("not judged" in m and "cos(theta)" in m for m in found.messages)
+
+
+def test_what_a_text_does_not_state_is_missing(sphere: Grader) -> None:
+    score = graded(sphere, RIGHT["equations"]).score
+    assert score is not None
+    assert [(p.part, p.verdict) for p in score.parts if p.verdict == "missing"] == [
+        ("reactions: sphere", "missing"),
+        ("ask: leaves", "missing"),
+    ]

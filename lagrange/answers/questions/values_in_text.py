@@ -417,9 +417,9 @@ def _is_condition(fragment: Fragment, questions: Sequence[Asked], reference: Ref
 
 def _part(fragment: Fragment, name: str, verdict: EquationVerdict) -> EquationVerdict:
     remarks = (*verdict.remarks, f"it is taken as the answer to `{name}`")
-    return EquationVerdict(
-        " ".join(fragment.text.split()), verdict.verdict, verdict.diagnosis, remarks if not verdict.diagnosis else ()
-    )
+    text = " ".join(fragment.text.split())
+    shown = () if verdict.diagnosis else remarks
+    return EquationVerdict(text, verdict.verdict, verdict.diagnosis, shown, part=name)
 
 
 def _verdicts(

@@ -25,7 +25,7 @@ from lagrange.answers.written.lines import condition_alone, conditions_of
 from lagrange.answers.written.names import has_word
 from lagrange.answers.written.values import with_all_values
 from lagrange.answers.written.working import understood
-from lagrange.core.diagnostics import Fragment, ProblemError, Severity, Span
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
 
@@ -52,7 +52,16 @@ def with_results_beside(answer: Sequence[Fragment], judged: Judgement, solution:
     if any(a.question.quantity in parameters for a in solution.asked):
         lines += _conditions_beside(answer)
     found = [v for v in _verdicts(lines, answer, solution) if v.verdict in _SETTLED] if lines else []
-    return replace(judged, others=(*judged.others, *found)) if found else judged
+    if not found:
+        return judged
+    taken = {e.text for v in found for e in v.equations}
+    settled = [f.span(0, len(f.text)) for f in lines if " ".join(f.text.split()) in taken]
+
+    def is_judged(note: Diagnostic) -> bool:
+        return note.code == "not-judged" and note.span is not None and any(_overlap(note.span, s) for s in settled)
+
+    notes = tuple(n for n in judged.equations.notes if not is_judged(n))
+    return replace(judged, equations=replace(judged.equations, notes=notes), others=(*judged.others, *found))
 
 
 def _conditions_beside(answer: Sequence[Fragment]) -> Iterator[Fragment]:
