@@ -29,7 +29,7 @@ from lagrange.pictures.shapes import (
     reaction_point,
     turns,
 )
-from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, scaled, toward
+from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, lies_on, scaled, toward
 from lagrange.pictures.solids import MEDIUM
 from lagrange.pictures.systems import BEAM, ROPE, SystemPicture, is_string, with_other_values
 from lagrange.problem.keys import Outline
@@ -151,6 +151,8 @@ class Supports:
     slots  constraints that are drawn as slots
     down   the direction of gravity on the page
     touched  the places at which bodies touch ground
+    mounts   hinges that something has to hold
+    boards   the upper sides of boards, on which a body needs no ground
     """
 
     system: SystemPicture
@@ -159,6 +161,8 @@ class Supports:
     slots: tuple[str, ...]
     down: PagePoint
     touched: list[PagePoint] = field(default_factory=list)
+    mounts: list[PagePoint] = field(default_factory=list)
+    boards: Sequence[tuple[PagePoint, PagePoint]] = ()
 
     @property
     def pose(self) -> Pose:
@@ -186,6 +190,8 @@ class Supports:
             at = self.system.page(plus(self.pose.at(p.position), point))
             if held:
                 bearing(self.system, self.sketch, p, reaction, at, self.down)
+                if not BEAM.search(self.system.text) and all(apart(at, other) > SAME_ON_PAGE for other in self.mounts):
+                    self.mounts.append(at)
                 continue
             force, _ = force_and_moment(self.pose, reaction, p.name)
             way = toward((0, 0), self.system.page.way(force))
@@ -202,8 +208,9 @@ class Supports:
             push = toward(at, self.system.page(self.pose.at(p.position)))
             if left_of(way)[0] * push[0] + left_of(way)[1] * push[1] < 0:
                 ends.reverse()
-            self.sketch.ground(ends)
             self.touched.append(at)
+            if not any(lies_on(at, *top) for top in self.boards):
+                self.sketch.ground(ends)
 
     def is_friction(self, reaction: Reaction, known: Shape) -> bool:
         """Whether a reaction keeps a point from sliding that another, one-sided one keeps on the ground."""
@@ -298,9 +305,10 @@ class Supports:
         at, up = page(contacts[0]), toward((0.0, 0.0), page.way(ways[0]))
         self.touched.append(at)
         if all(math.dist(contacts[0], c) < SAME_SHAPE for c in contacts) and self._is_edge(p, reaction, contacts[0]):
-            self.kerb(at, page(centres[0]), size)
+            self.kerb(p, at, page(centres[0]), size)
         elif all(math.dist(ways[0], w) < SAME_SHAPE for w in ways):
-            self.sketch.wall(at, up, 0.9 + size)
+            if not any(lies_on(at, *top) for top in self.boards):
+                self.sketch.wall(at, up, 0.9 + size)
         else:
             return self._arc_around(contacts, page(centres[0]))
         return True
@@ -364,14 +372,19 @@ class Supports:
             return None
         return abs(self.system.number(shape.lengths[0]))
 
-    def kerb(self, edge: PagePoint, centre: PagePoint, radius: float) -> None:
-        """A step whose edge a wheel touches, as high as the edge is over the lowest point of the wheel."""
+    def kerb(self, p: MassPoint, edge: PagePoint, centre: PagePoint, radius: float) -> None:
+        """A step whose edge a wheel touches, up from the ground on which it is too; else an edge that it rolls off."""
         out = toward((0.0, 0.0), (inner((edge[0] - centre[0], edge[1] - centre[1]), left_of(self.down)), 0.0))[0]
         side = scaled(left_of(self.down), out)
         high = radius - inner((edge[0] - centre[0], edge[1] - centre[1]), self.down)
+        grounded = sum(r.constraint.side is not None for r in self.system.reactions_on(p.name)) > 1
         foot, far = beyond(edge, self.down, high), beyond(edge, side, 1.6)
-        step = [beyond(foot, side, -radius - 1.2), foot, edge, far] if high > 0.1 else [edge, far]
-        self.sketch.ground(step if out < 0 else step[::-1])
+        if not grounded:
+            step = [beyond(edge, self.down, 1.2), edge, far]
+            self.sketch.ground(step if out > 0 else step[::-1])
+            return
+        step = [foot, edge, far]
+        self.sketch.ground(step if out > 0 else step[::-1])
 
     def threads(self) -> None:
         """Threads by whose name a force is called, from where each pulls; the hub of a spool from which one comes."""
@@ -430,6 +443,10 @@ class Supports:
             if point is None:
                 return
             touched.append(plus(pose.at(p.position), point))
+        if len(touched) > 3 and all(math.dist(touched[0], place) < SAME_SHAPE for place in touched):
+            centre = self.system.page(self.pose.at(p.position))
+            self.kerb(p, self.system.page(touched[0]), centre, known.radius * self.system.page.scale)
+            return
         self._arc_around(touched, self.system.page(self.pose.at(p.position)))
 
     def _arc_around(self, touched: Sequence[FloatVector], body: PagePoint) -> bool:

@@ -80,6 +80,7 @@ class Blocks:
     half     half the width of each box along its way, by particle
     on_wedge the face on which a particle slides, by particle; None for a wedge itself
     boards   the middle of each board under others, by particle
+    tops     the upper sides of the boards
     on_board how high the top of the board is on which a particle slides, by particle
     cut      a block in which another particle slides on a circle, and that particle
     """
@@ -102,6 +103,7 @@ class Blocks:
         self.on_wedge: dict[str, Way | None] = {}
         self.boards: dict[str, PagePoint] = {}
         self.on_board: dict[str, float] = {}
+        self.tops: list[tuple[PagePoint, PagePoint]] = []
         self.cut: set[str] = set()
         self.ridges: list[PagePoint] = []
 
@@ -128,7 +130,7 @@ class Blocks:
                 continue
             if way is not None and p.name not in self.on_wedge and self.is_carried(way, p):
                 self.carried.append((way, self.height(p) / 2 if p.name in self.half else 0.0))
-        self.carried += [*self.wheels(), *self.feet()]
+        self.carried += [*self.wheels(), *self.feet(), *self.ends_of_rods()]
 
     def stacks(self, ways: Mapping[str, Way]) -> dict[str, str]:
         """The block on top of another one that moves on a parallel line, by the block below."""
@@ -153,22 +155,36 @@ class Blocks:
             page, pose = self.system.page, self.system.pose
             near = {q.name: page(pose.at(q.position)) for q in self.particles() if q.name != p.name}
             riders = {name: at for name, at in near.items() if self.is_on(way, at) and (is_board or name in upon)}
+            rolling = dict(self.rolling_on(way)) if is_board else {}
+            riders |= rolling
             if not riders:
                 continue
             boxes = any(self.is_block(q) for q in self.particles() if q.name in riders)
             thick = BOARD if is_board else HIGH
-            top = thick if kept else -HIGH / 2 if boxes else -PARTICLE
+            top = thick if kept else 0.0 if rolling else -HIGH / 2 if boxes else -PARTICLE
             self.on_board |= dict.fromkeys(riders, top if kept else 0.0)
             places = [inner(at, way.along) - inner(way.at, way.along) for at in riders.values()]
             start, end = min([*places, 0.0]) - 0.8, max([*places, 0.0]) + 0.8
             corners = [beyond(beyond(way.at, way.along, x), way.up, y) for x, y in
                        ((start, top), (end, top), (end, top - thick), (start, top - thick))]  # fmt: skip
             self.sketch.face(corners, 2, -1.0)
+            self.tops.append((corners[0], corners[1]))
             self.boards[p.name] = beyond(beyond(way.at, way.along, (start + end) / 2), way.up, top - thick / 2)
-            if not kept:
+            if not kept and self.is_carried(way, p):
                 self.carried += [
                     (Way(beyond(way.at, way.along, x), way.along, way.up), thick - top) for x in (start, end)
                 ]
+
+    def rolling_on(self, way: Way) -> Iterator[tuple[str, PagePoint]]:
+        """The round bodies whose lowest points are on a line, with these."""
+        page, pose = self.system.page, self.system.pose
+        for p in self.system.configuration.points:
+            shape, known = self.system.problem.figure.shapes.get(p.name), self.system.shapes.get(p.name)
+            round_ = shape is not None and shape.kind in (Outline.DISC, Outline.RING, Outline.SPHERE)
+            radius = abs(self.system.number(shape.lengths[0])) if round_ and shape else known.radius if known else 0.0
+            at = beyond(page(pose.at(p.position)), way.up, -radius * page.scale)
+            if radius and self.is_on(way, at):
+                yield p.name, at
 
     def cuts(self) -> None:
         """Blocks with a round hollow or hump on which another particle slides: a constant distance, by no rod."""
@@ -282,6 +298,21 @@ class Blocks:
             stays = max(levels) - min(levels) < SAME_ON_PAGE and lowest - levels[0] < SAME_ON_PAGE
             if stays and max(apart(way[0], at) for at in way) > SAME_ON_PAGE and not self.system.reactions_on(name):
                 yield Way(way[0], left_of(self.down), scaled(self.down, -1.0)), 0.0
+
+    def ends_of_rods(self) -> Iterator[tuple[Way, float]]:
+        """Where an end of a rod slides that coordinates alone keep on a floor or at a wall, if the text has both."""
+        page, text = self.system.page, self.system.text
+        for name, shape in self.system.problem.figure.shapes.items():
+            if not shape.ends or self.system.reactions_on(name) or not (WALL.search(text) and FLOOR.search(text)):
+                continue
+            for end in shape.ends:
+                poses = (self.system.pose, *self.system.pose.others)
+                places = [page(x.at(end)) for x in poses]
+                reach = [max(abs(at[n] - places[0][n]) for at in places) for n in (0, 1)]
+                if min(reach) < SAME_ON_PAGE < max(reach):
+                    along = (0.0, 1.0) if reach[0] < SAME_ON_PAGE else (1.0, 0.0)
+                    side = left_of(along)
+                    yield Way(places[0], along, side if inner(side, self.down) <= 0 else scaled(side, -1.0)), 0.0
 
     def particles(self) -> Iterator[MassPoint]:
         """The particles, and the bodies that do not turn: a cart may be either."""

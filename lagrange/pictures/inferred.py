@@ -24,11 +24,12 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, is_distance, relative_angle_mark
-from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, same_ends, toward
+from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, lies_on, same_ends, toward
 from lagrange.pictures.systems import ROD, SystemPicture, is_string
 from lagrange.problem.model import Keeper, Outline
 
 _STRING = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
+_PENDULUM = re.compile("pendulum", re.IGNORECASE)
 _PULLEY, _PULLEYS = (re.compile(rf"\b(pulley|peg|drum){s}\b", re.IGNORECASE) for s in ("", "s"))
 LARGE_PULLEY = 2.2
 """How wide the only pulley may be that leads a string from one level to the same, in centimetres."""
@@ -118,6 +119,9 @@ class Inferred:
                 continue
             kind = StrokeKind.STRING if rope and (joint.name in bodies or not bar) else StrokeKind.ROD
             centre, end = self.system.page(joint.mark.centre), self.system.page(joint.mark.point)
+            middles = [self.at(p.position) for p in self.system.configuration.points if p.name in bodies]
+            if any(lies_on(at, centre, end) and min(apart(at, centre), apart(at, end)) > 0.1 for at in middles):
+                continue  # a body leads there
             if not any(same_ends((centre, end), line) for line in self.busy):
                 self.sketch.line([centre, end], kind)
                 self.busy.append((centre, end))
@@ -182,7 +186,7 @@ class Inferred:
             return StrokeKind.STRING if _STRING.search(called) else None
         if self.system.is_round:
             return None
-        if _STRING.search(self.system.text) and not ROD.search(self.system.text):
+        if _STRING.search(self.system.text) and not ROD.search(_PENDULUM.sub("", self.system.text)):
             return StrokeKind.STRING
         return StrokeKind.ROD if ROD.search(self.system.text) else None
 

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -35,7 +35,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, plus, projected, value
 from lagrange.pictures.limits import LEAST_GAP, MOST_UNEQUAL, SAME_PLACE, TRIALS
-from lagrange.problem.model import Problem
+from lagrange.problem.model import AppliedForce, Problem
 
 # What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
 _SIZES = {
@@ -55,6 +55,7 @@ _SIZES = {
 BOWL = re.compile(r"\bbowl|hemispher|\btrough|\bgroove|\bcup\b", re.IGNORECASE)
 _HANGS = re.compile(r"\bhang|\bsuspended|\bpendulum", re.IGNORECASE)
 _UPRIGHT = re.compile(r"\binvert|\bupright|\bstand|\babove", re.IGNORECASE)
+_KERB = re.compile(r"\b(kerb|curb)s?\b", re.IGNORECASE)
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
@@ -187,6 +188,8 @@ def _guess(
             values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else size * wobble)
     for s in _below(problem, configuration, points):
         values[s] = -abs(values[s])
+    for s, value_ in _before_a_kerb(problem, points, values):
+        values[s] = value_
     for s, factor in _views(configuration, points, angles, parameters):
         values[s] = factor(values)
     undefined = {sp.Symbol(f.name, real=True): chosen[f.name] for f in problem.functions if f.name in chosen}
@@ -225,6 +228,23 @@ def _below(problem: Problem, configuration: Configuration, points: Sequence[Vect
         upward = any((p.partial(s).dot(down.fixed())).could_extract_minus_sign() for p in points)
         if upward and even and all(sp.expand(f - sp.sympify(f, strict=True).xreplace({s: -s})) == 0 for f in even):
             yield s
+
+
+def _before_a_kerb(
+    problem: Problem, points: Sequence[Vector], values: Mapping[sp.Symbol, float]
+) -> Iterator[tuple[sp.Symbol, float]]:
+    """A kerb h lower than the centre of its wheel, which is on the side from which it is pulled."""
+    if not _KERB.search(f"{problem.title} {problem.description}"):
+        return
+    radii = [v for s, v in values.items() if s.name in ("r", "R")]
+    yield from ((s, 0.45 * min(radii)) for s in values if s.name == "h" and radii)
+    for q in (q.symbol for q in problem.coordinates):
+        ways = [p.partial(q) for p in points if not p.partial(q).is_zero]
+        pulls = [f.vector.fixed() for f in problem.forces if isinstance(f, AppliedForce)]
+        sizes = [value(w.dot(f), {**values, **dict.fromkeys(w.dot(f).free_symbols - {*values}, 1.0)})
+                 for w in ways for f in pulls if problem.gravity is None and f.components[1] == 0]  # fmt: skip
+        if q in values and sum(sizes) > 0:
+            yield q, -abs(values[q])
 
 
 def _views(

@@ -316,7 +316,7 @@ def _lowest(system: SystemPicture, p: MassPoint, rotation: Rotation) -> float | 
     if shape is None or shape.kind not in (Outline.DISC, Outline.RING, Outline.SPHERE, Outline.CONE):
         return None
     axis = rotation.axes[rotation.inertia.symmetry_axis] if shape.axis is None else shape.axis
-    if shape.kind is Outline.CONE:
+    if shape.kind is Outline.CONE and system.problem.gravity is not None:
         return _under_cone(system, p, shape, axis)
     heights = []
     for pose in (system.pose, *system.pose.others):
@@ -327,14 +327,15 @@ def _lowest(system: SystemPicture, p: MassPoint, rotation: Rotation) -> float | 
 
 
 def _under_cone(system: SystemPicture, p: MassPoint, shape: BodyShape, axis: Vector) -> float | None:
-    """The height of the plane on which a cone rolls: both its tip and the lowest point of its rim stay there."""
-    heights = []
+    """The height of the plane on which the tip of a cone stays, with its rim on or above it: it rolls, or is a top."""
+    tips, rims = [], []
     for pose in (system.pose, *system.pose.others):
-        along, at = unit(pose.at(axis)), pose.at(p.position)[2]
+        along, at = unit(pose.at(axis)), pose.at(p.position)
         radius, high = (abs(pose.number(x)) for x in shape.lengths)
-        heights.append(at - 0.75 * high * along[2])
-        heights.append(at + 0.25 * high * along[2] - radius * math.sqrt(max(1 - along[2] ** 2, 0.0)))
-    return heights[0] if len(heights) > 4 and max(heights) - min(heights) < SAME_PLACE else None
+        tips.append(plus(at, along, -0.75 * high))
+        rims.append(at[2] + 0.25 * high * along[2] - radius * math.sqrt(max(1 - along[2] ** 2, 0.0)))
+    stays = len(tips) > 2 and all(math.dist(tips[0], tip) < SAME_PLACE for tip in tips)
+    return tips[0][2] if stays and rims[0] > tips[0][2] - SAME_PLACE else None
 
 
 def _table_under(here: FloatVector, low: float) -> list[FloatVector]:

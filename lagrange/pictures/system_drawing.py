@@ -112,7 +112,7 @@ class _Drawing:
             blocks.boxes()
             self.boards = blocks.boards
         pins = slots(self.system, self.sketch) if with_inferred and "constraints" not in self.hidden else ()
-        self.supports = Supports(self.system, self.sketch, self.busy, pins, self.downward)
+        self.supports = Supports(self.system, self.sketch, self.busy, pins, self.downward, boards=blocks.tops)
         self.bodies(drawn=blocks.half)
         if with_inferred and not with_loads and "loads" not in self.hidden:
             self.supports.threads()
@@ -125,6 +125,7 @@ class _Drawing:
         springs = SpringsDampers(self.system, self.sketch, self.busy)
         springs.draw(blocks.half)
         self.mounts += list(dict.fromkeys(at for at, _ in springs.mounted))
+        self.mounts += [at for at in self.supports.mounts if all(apart(at, m) > SAME_ON_PAGE for m in self.mounts)]
         self.supports_of_rods(springs.mounted)
         if "constraints" not in self.hidden:
             self.curves()

@@ -167,6 +167,41 @@ def test_a_wheel_touches_the_edge_of_a_kerb() -> None:
     assert all(math.dist(centre, p) > radius - 1e-3 for p in step)
 
 
+def test_a_kerb_is_hatched_inside_and_below_the_centre() -> None:
+    scene = sketched("A wheel before a kerb", KERB)
+    rim = outline(scene)
+    x, y = (sum(p[n] for p in rim) / len(rim) for n in range(2))
+    [foot, edge, far] = next(line.points for line in lines_of(scene, StrokeKind.GROUND) if len(line.points) == 3)
+    assert foot[1] < edge[1] < y
+    assert x < edge[0] < far[0]  # the wheel is pulled towards it; to the right of the way up is inside
+
+
+def test_a_ball_rolls_off_an_edge() -> None:
+    text = ROUND + (
+        "coordinates: [r, q, p]\ngravity: -g*j\nbodies: {ball: {mass: m, inertia: 2/5*m*R^2, angle: -p,\n"
+        "  position: r*sin(q)*i + r*cos(q)*j}}\nconstraints:\n  edge: {equation: r >= R, reaction: N}\n"
+        "  rolling: {equation: \"q' - p' = 0\", reaction: F}\ngeneralized_coordinates: {angle: {coordinates: [q]}}\n"
+    )
+    scene = sketched("A ball on an edge", text)
+    [points] = [line.points for line in lines_of(scene, StrokeKind.GROUND) if len(line.points) == 3]
+    assert math.hypot(*points[1]) < 1e-6
+    assert min(x for x, _ in points) < -1  # behind the ball, which has rolled to the right
+    assert max(y for _, y in points) < 1e-6
+
+
+def test_cylinders_in_a_pile_are_as_large_as_where_they_are_rubbed() -> None:
+    text = ROUND + (
+        "coordinates: [x, y, q]\nbodies: {left: {inertia: 0, position: x*i + y*j, angle: q}}\n"
+        "constraints: {floor: {equation: y >= R, reaction: N}}\nfind: equilibrium\nforces:\n"
+        "  weight: {on: left, vector: -W*j}\n"
+        "  rub: {friction: mu, static: mu, constraint: floor, on: left, at: r_left - R*j}\n"
+    )
+    scene = sketched("One of three cylinders", text)
+    distances = off_ground(scene, outline(scene))
+    assert min(distances) < 0.02
+    assert max(distances) > 1.0
+
+
 def test_several_bodies_stand_on_one_floor() -> None:
     scene = sketched("A step ladder", LADDERS)
     feet = [min(line.points, key=lambda p: p[1]) for line in scene.lines if line.closed]

@@ -237,6 +237,36 @@ def test_a_vehicle_stands_on_a_road(name: str, grounds: int) -> None:
     assert len(lines_of(sketched("Motion", text), StrokeKind.GROUND)) == grounds
 
 
+@pytest.mark.parametrize(("title", "grounds"), [("A rod slides between a wall and a floor", 2), ("A rod moves", 0)])
+def test_a_rod_that_coordinates_keep_in_a_corner_touches_wall_and_floor(title: str, grounds: int) -> None:
+    text = (
+        "axes: {i: right, j: up}\nparameters: [m, l, g]\ncoordinates: [q]\ngravity: -g*j\nbodies:\n"
+        "  rod: {mass: m, inertia: m*l^2/3, position: l*cos(q)*i + l*sin(q)*j, angle: -q}\n"
+    )
+    assert len(lines_of(sketched(title, text), StrokeKind.GROUND)) == grounds
+
+
+def test_a_raft_has_no_ground_and_a_cylinder_rolls_on_top_of_its_plank() -> None:
+    raft = (
+        "parameters: [m, M, F]\ncoordinates: [X, s]\nparticles: {raft: {mass: M, position: X*i}, "
+        "child: {mass: m, position: (X + s)*i}}\nforces: {feet: {on: child, vector: F*i}}\n"
+    )
+    assert lines_of(sketched("A child runs", raft), StrokeKind.GROUND) == []
+    plank = (
+        "axes: {i: right, j: up}\nparameters: [m, M, R, F, g]\ncoordinates: [x, y, q, X]\ngravity: -g*j\n"
+        "bodies: {cylinder: {mass: m, inertia: m*R^2/2, position: x*i + y*j, angle: -q}}\n"
+        "particles: {plank: {mass: M, position: X*i}}\nforces: {pull: {on: plank, vector: F*i}}\n"
+        "constraints: {contact: {equation: y >= R, reaction: N}, "
+        "rolling: {equation: \"x' - R*q' = X'\", reaction: f}}\n"
+    )
+    scene = sketched("A cylinder on a plank on a floor", plank)
+    [board] = [face for face in faces(scene) if len(face) == 4]
+    [ground] = lines_of(scene, StrokeKind.GROUND)
+    assert ground.points[0][1] == pytest.approx(min(y for _, y in board))
+    rim = max((line.points for line in scene.lines if line.closed), key=len)
+    assert min(y for _, y in rim) == pytest.approx(max(y for _, y in board), abs=0.02)
+
+
 def test_two_slopes_end_at_their_ridge() -> None:
     text = (
         "axes: {i: right, j: up}\nparameters: {W: positive, Q: positive, alpha: acute, beta: acute, L: positive}\n"

@@ -49,7 +49,13 @@ def lines(scene: Scene, kind: StrokeKind) -> int:
 
 @pytest.mark.parametrize(
     ("title", "rods", "strings", "curves"),
-    [("Pendulum", 1, 0, 0), ("Stone on a string", 0, 1, 0), ("Bead on a hoop", 0, 0, 1), ("Circular motion", 0, 0, 1)],
+    [
+        ("Pendulum", 1, 0, 0),
+        ("Pendulum with a string", 0, 1, 0),
+        ("Stone on a string", 0, 1, 0),
+        ("Bead on a hoop", 0, 0, 1),
+        ("Circular motion", 0, 0, 1),
+    ],
 )
 def test_what_keeps_a_distance_is_what_the_text_says(title: str, rods: int, strings: int, curves: int) -> None:
     scene = drawn(title, CIRCLE)

@@ -305,7 +305,7 @@ _ENERGY = tuple(sp.Integer(n) for n in unit_of("J").dimension)  # type: ignore[u
 
 
 def _is_potential_energy(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
-    """Whether `V = ...` is an energy and no speed: by its dimension, or beside a kinetic energy where that is unknown."""
+    """Whether `V = ...` is an energy and no speed: by its dimension, or beside a kinetic energy."""
     match = _POTENTIAL.match(fragment.text)
     if match is None or match["name"] in reference.declared:
         return False

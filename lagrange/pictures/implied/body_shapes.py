@@ -27,7 +27,7 @@ from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.shapes import coordinates_in_body, plane_rotation
 from lagrange.pictures.systems import SystemPicture, is_string
 from lagrange.problem.keys import Outline
-from lagrange.problem.model import BodyShape
+from lagrange.problem.model import BodyShape, Friction
 
 _ROUND = {sp.Rational(1, 2): Outline.DISC, sp.Rational(2, 5): Outline.SPHERE, sp.Rational(2, 3): Outline.SPHERE}
 _HALF_LENGTH = {sp.Rational(1, 3): sp.Integer(1), sp.Rational(1, 12): sp.Rational(1, 2)}
@@ -46,6 +46,9 @@ _BOX = re.compile(
 _DISC = re.compile(
     r"\b(disc|disk|wheel|pulley|drum|spool|yo-?yo|reel|bobbin|roller|cylinder|flywheel|coin|winch|capstan)s?\b",
     re.IGNORECASE,
+)
+_ROUND_WORDS = re.compile(
+    r"disc|disk|wheel|cylinder|sphere|\bballs?\b|roller|hoop|\bdrums?\b|\bpipes?\b", re.IGNORECASE
 )
 _REEL = re.compile(r"\b(spool|yo-?yo|reel|bobbin)s?\b", re.IGNORECASE)
 _CONE = re.compile(r"\bcones?\b", re.IGNORECASE)
@@ -133,14 +136,27 @@ def _unknown(system: SystemPicture, p: MassPoint, rotation: Rotation, called: st
     if _REEL.search(called) and (radius is not None or touching):
         axle = touching if radius is None else radius
         inner_ = radius is not None or _is_on_string(system, p.name)
-        return BodyShape(Outline.DISC, (sp.sympify(axle * _RIM if inner_ else axle),))
+        return BodyShape(Outline.DISC, (sp.sympify(axle * _RIM if inner_ else axle, strict=True),))
     if radius is not None:
         return BodyShape(Outline.DISC, (radius,))
+    rubbed = _rubbed(system, p)
+    if rubbed is not None and _ROUND_WORDS.search(f"{called} {system.text}"):
+        return BodyShape(Outline.DISC, (sp.Float(rubbed),))
     if _BAR.search(called):
         return _bar(system, p, rotation)
     if _DISC.search(called) and not any(map(any, system.shapes[p.name].held)):
         return BodyShape(Outline.DISC, (sp.Float(_NEUTRAL),))
     return None
+
+
+def _rubbed(system: SystemPicture, p: MassPoint) -> float | None:
+    """The distance at which a body that is no box is rubbed, the same at every place and in every position."""
+    own = [f.at for f in system.problem.forces if isinstance(f, Friction) and f.on == p.name and f.at is not None]
+    free = all(math.hypot(*at) < SAME_ON_PAGE for at in system.shapes[p.name].at.values())
+    poses = (system.pose, *system.pose.others)
+    sizes = [math.dist(x.at(at), x.at(p.position)) for at in own for x in poses]
+    same = len(sizes) > 2 and max(sizes) - min(sizes) < SAME_ON_PAGE < sizes[0]
+    return sizes[0] if same and free else None
 
 
 def _is_on_string(system: SystemPicture, name: str) -> bool:
