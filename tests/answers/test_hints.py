@@ -151,7 +151,7 @@ def measured(equations: str = "[\"m*l^2*theta'' + m*g*l*sin(theta) = 0\"]") -> R
         (
             "ex17-spherical-pendulum",
             "r*theta'' + 2*r'*theta' - r*phi'^2*sin(theta)*cos(theta) + g*sin(theta) = 0",
-            "gravity that acts the other way, or for theta measured from the opposite direction, the other way",
+            "gravity that acts the other way, or for theta measured from the opposite direction",
         ),
         (
             "two-body-problem",

@@ -75,7 +75,12 @@ def test_the_verdict_on_an_answer_to_a_question(name: str, question: str, answer
             "sqrt(v^2 - g*l)",
             "the kinetic energy is twice as large as it should be, or the change of the potential energy half as large",
         ),
-        ("escape-from-a-planet", "escape_speed", "sqrt(K/R)", "a factor sqrt(2) is missing"),
+        (
+            "escape-from-a-planet",
+            "escape_speed",
+            "sqrt(K/R)",
+            "a factor sqrt(2) is missing: its square is half as large, as from a kinetic energy without its 1/2",
+        ),
         (
             "escape-from-a-planet",
             "escape_speed",
