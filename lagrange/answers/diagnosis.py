@@ -46,6 +46,7 @@ from lagrange.answers.slips import (
     is_decimal,
     is_divided,
     kind_of_factor,
+    lengths_in,
     terms_of,
     variants,
 )
@@ -101,9 +102,7 @@ def diagnosed(
             if len(search.terms) * len(search.parameters) ** 2 > MAX_BESIDE:
                 return None
             change = search.change(direct=True)
-            if change is None or (
-                change.factor is not None and not change.factor.is_number and search.is_inertia(change)
-            ):
+            if change is None or (change.factor is not None and search.is_all_inertia(change)):
                 return None  # a factor of an acceleration stands for one of all other terms, which the cause has named
             return _with_group(change, sp.S.One, system)
         for form, times in _forms(equation):
@@ -346,8 +345,7 @@ class _Search:
 
     def _by_number(self, terms: Sequence[EquationRow], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A wrong sign or a wrong numerical coefficient, of a term or of a sum in brackets."""
-        bracketed = [(e, r) for e in self.brackets if (r := self.states[0].residue(e)) is not None]
-        for term, residue in (*terms, *bracketed):
+        for term, residue in (*terms, *self._bracketed):
             wanted = self._wanted(residue, total)
             number = None if wanted is None else self._as_number(wanted)
             if number is None or number == 0:
@@ -373,19 +371,34 @@ class _Search:
             wanted = self._wanted(residue, total)
             if wanted is None or state.point.arithmetic.vanishes(wanted):
                 continue
-            for cost, factor in self._factors_of(wanted, term):
-                slip = kind_of_factor(term, factor, self.slots.velocities)
-                cost += 1.5 * self._is_inertia(term) - 0.5 * (slip in (Slip.INVERTED, Slip.NUMBER))
-                yield cost, Diagnosis(None, slip, term, factor * term, factor)
+            yield from self._with_factor(term, wanted)
+        for term, residue in self._bracketed if self._only is None else ():
+            wanted = self._wanted(residue, total)
+            if wanted is not None and not state.point.arithmetic.vanishes(wanted):
+                yield from self._with_factor(term, wanted)
+
+    def _with_factor(self, term: sp.Expr, wanted: Any) -> Iterator[tuple[float, Diagnosis]]:
+        """A term or bracket with a factor of this value at the first state."""
+        for cost, factor in self._factors_of(wanted, term):
+            slip = kind_of_factor(term, factor, self.slots.velocities)
+            cost += 1.5 * self._is_inertia(term) - 0.5 * (slip in (Slip.INVERTED, Slip.NUMBER))
+            yield cost, Diagnosis(None, slip, term, factor * term, factor)
+
+    @cached_property
+    def _bracketed(self) -> list[EquationRow]:
+        """The sums in brackets, with their residues."""
+        return [(e, r) for e in self.brackets if (r := self.states[0].residue(e)) is not None]
 
     def _wanted(self, residue: list[Any], total: list[Any]) -> Any | None:
         """The value of the factor that a term should have; None if no factor makes the equation right."""
         ratio = self.states[0].ratio(total, residue)
         return None if ratio is None else self.states[0].point.arithmetic.reduce(1 - ratio)
 
-    def is_inertia(self, change: Diagnosis) -> bool:
-        """Whether a term with an acceleration changes."""
-        return change.term is not None and self._is_inertia(change.term)
+    def is_all_inertia(self, change: Diagnosis) -> bool:
+        """Whether a term with an acceleration changes, by letters, or as the only one that has an acceleration."""
+        if change.term is None or change.factor is None or not self._is_inertia(change.term):
+            return False
+        return not change.factor.is_number or sum(map(self._is_inertia, self.terms)) == 1
 
     def _is_inertia(self, term: sp.Expr) -> bool:
         return not term.free_symbols.isdisjoint(self._accelerations)
@@ -506,7 +519,8 @@ class _Search:
 
     @cached_property
     def _simple_factors(self) -> tuple[sp.Expr, ...]:
-        return factors(tuple(self.parameters), self.slots, tuple(self.angles))
+        lengths = lengths_in(self.system.equations)
+        return factors(tuple(self.parameters), self.slots, tuple(self.angles), lengths)
 
     @cached_property
     def _values(self) -> list[Any | None]:

@@ -413,7 +413,8 @@ def _with_reasons(
             force = one_sense(equation, system) if wanted and model is None else ""
             change = None if force else change
             if wanted and model is None and not force:
-                force = explained_force(equation, attempt.candidate, reference)
+                unknown = two is None and (change is None or change.slip is None)
+                force = explained_force(equation, attempt.candidate, reference, moving=unknown)
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
@@ -549,8 +550,7 @@ def _convention(attempt: _Attempt) -> Convention | None:
 
 def _has_one_equation(system: System) -> bool:
     """Whether one equation of motion is asked for."""
-    configuration = system.configuration
-    return len(configuration.slots.coordinates) - len(configuration.rows) == 1
+    return len(system.configuration.slots.coordinates) - len(system.configuration.rows) == 1
 
 
 def _remark(condition: NonzeroCondition) -> str:

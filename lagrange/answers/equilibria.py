@@ -324,6 +324,7 @@ class _Wrong:
     def reasons(self) -> Iterator[str]:
         """What they are instead, the likeliest first."""
         from lagrange.answers.models.one_place import other_waves
+        from lagrange.answers.results.balances import of_another_balance, of_equal_energy
         from lagrange.answers.results.meanings import wrong_dimension
         from lagrange.answers.results.other_sides import INVERTED, other_sides
         from lagrange.answers.results.resting import angles_and_lengths
@@ -341,7 +342,9 @@ class _Wrong:
         yield from self._varied(angles_and_lengths(self.stated, e))
         yield from self._with_sides(other_waves(self.wrong, slots.coordinates))
         if self.problem is not None and self.tried.tried:
+            yield from filter(None, [of_equal_energy(_components(self.wrong), e.configuration)])
             yield from _equilibria(self.tried.of_changed_problem(self.problem))
+            yield from _equilibria(self.tried.of_one_displacement(self.problem))
         bound = geometry_of(e.configuration)
         tied = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
         fit = (v for v in variations if (bound if 0 in v.values.values() else tied).isdisjoint(v.values))
@@ -354,6 +357,7 @@ class _Wrong:
             yield from _equilibria(self.tried.of_one_force(self.problem))
         if self.tried.tried:
             yield from filter(None, [self.tried.of_displacement()])
+        yield from filter(None, [of_another_balance(_components(self.wrong), e.configuration)])
         yield from filter(None, (wrong_dimension(c, self.reference.units) for c in self.stated))
         if foreign:
             yield f"the conditions of equilibrium do not depend on {', '.join(sorted(foreign))}"

@@ -120,11 +120,8 @@ class Advisor:
         place = self._place(change) or (f"look at {model.place}" if model is not None else "")
         first = _DIMENSIONS if units else causes[-1] if not any(causes[:-1]) else ""
         cause = next(filter(None, causes), "")
-        return (
-            why,
-            _sentences(first, place) or why,
-            _sentences(cause, self._change(change, sides, model is not None)) or why,
-        )
+        second = self._change(change, sides, model is not None) or (causes[1] if units else "")
+        return why, _sentences(first, place) or why, _sentences(cause, second) or why
 
     def _written_out(self, sides: Sequence[sp.Expr | Vector]) -> str:
         """By what the sides of an equation differ if their accelerations cancel: one is meant to be the other, written
@@ -233,12 +230,24 @@ class Advisor:
         return f"it would be right if {q} were measured {convention.turn.value}: {meant} for {q}"
 
     def _text(self, expression: sp.Expr) -> str:
-        return text(expression, self.notation)
+        return text(_with_short_denominator(expression), self.notation)
 
 
 def _sentences(*parts: str) -> str:
     """The nonempty parts, each as a sentence."""
     return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
+
+
+def _with_short_denominator(e: sp.Expr) -> sp.Expr:
+    """(u^2 + v^2)^(3/2), where multiplying out has made a sum of two roots of it."""
+    if not any(f.is_Pow and _has_roots(f.base) for f in sp.Mul.make_args(e)):
+        return e
+    above, below = sp.fraction(e)
+    return above / sp.factor(below) if sp.count_ops(below) <= MOST_OPERATIONS_LEFT else e
+
+
+def _has_roots(e: sp.Expr) -> bool:
+    return e.is_Add and any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow))
 
 
 def _is_on_the_right(term: sp.Expr, sides: Sequence[sp.Expr | Vector]) -> bool:
@@ -295,7 +304,7 @@ def other_convention(equations: Sequence[sp.Expr], residues: Residues) -> Conven
 def _conventions(equations: Sequence[sp.Expr], slots: Slots) -> Iterator[Convention]:
     used = set().union(*(e.free_symbols for e in equations))
     waves = set().union(*(w.free_symbols for e in equations for w in e.atoms(sp.sin, sp.cos, sp.tan)))
-    for q in slots.coordinates:
+    for q in sorted(slots.coordinates, key=lambda q: q not in waves):  # a distance is hardly measured the other way
         if not used & {q, prime(q), prime(q, 2)}:
             continue
         yield Convention(q, Turn.REVERSED, -q)

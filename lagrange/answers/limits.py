@@ -58,6 +58,7 @@ There are 5·10^6 such fractions among 6·10^26 residues: none occurs by chance.
 MAX_FACTOR_PARAMETERS = 9
 MAX_FACTOR_COORDINATES = 4
 MAX_FACTOR_ANGLES = 4
+MAX_FACTOR_LENGTHS = 3
 """Symbols of which wrong factors are composed: 127 shipped problems have no more parameters, 110 no more coordinates.
 
 The number of factors grows with the square; in shipped problems there are up to 1,500.
@@ -256,6 +257,21 @@ LONGEST_RUN_OF_LETTERS = 3
 LONGEST_COMPARED_REACTION = 100
 """Of a reaction at rest with which a wrong one is compared term by term."""
 
+LONGEST_BALANCE = 100
+"""Operations of a potential energy or a moment with which a wrong condition of equilibrium is compared."""
+
+MOST_TAKEN_FORCES = 4
+"""Forces of constraints each of which may be taken as at rest or left out: 16 systems of numbers."""
+
+MOST_MULTIPLIED = 6
+"""Parameters of which one may have been multiplied by another: each pair is a derived system."""
+
+LONGEST_SUM_OF_LENGTHS = 200
+"""Operations of a velocity or force in which R − r is sought as a factor; shipped ones have up to 60."""
+
+LONGEST_TERM_OF_LAGRANGIAN = 400
+"""Operations of what a term of a Lagrangian contributes, where a parameter is taken as infinite."""
+
 LONGEST_REACTION_OF_ONE_BODY = 500
 """Of a reaction as solved from the equations of one body by itself, in the coordinates of a choice, before any is
 simplified: 200 for the lower rod of a double pendulum."""
@@ -411,5 +427,9 @@ SAME_ANGLE = 1e-9
 
 MOST_SHEETS = 16
 """Choices of one factor from each unsolved equation of an answer; one surface is sampled for each."""
+
 HIGHEST_EXPANSION = 6
 """The lowest power that an expansion may neglect, `+ O(theta^6)`, for its terms to be compared."""
+
+MOST_WRITTEN_OUT = 24
+"""Fractions, roots and lists of cases of Typst and LibreOffice that are written out in one text."""

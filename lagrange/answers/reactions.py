@@ -233,6 +233,20 @@ class _AtBranch:
         return [c for c, named in zip(self.claims, self.beside, strict=True) if named or not beside]
 
 
+def _at_special_position(stated: sp.Expr, right: sp.Expr, configuration: Configuration) -> str:
+    """For which angle a stated force is the right one, where the position is tied to it: T = W where strings hang
+    vertically. In a sentence; empty if for none."""
+    coordinates = {*configuration.slots.coordinates}
+    if max(map(sp.count_ops, (stated, right))) > LONGEST_COMPARED_REACTION:
+        return ""
+    for q in configuration.slots.coordinates:
+        ties = [f.xreplace({q: sp.S.Zero}) for f in configuration.finite_constraints if f.has(sp.sin(q), sp.cos(q))]
+        off = sp.numer(sp.together((stated - right).xreplace({q: sp.S.Zero})))
+        if len(ties) == 1 and off != 0 and (sp.gcd(off, sp.expand(ties[0])).free_symbols & coordinates):
+            return f"it is the force where {q} = 0 alone"
+    return ""
+
+
 class StatedReactionsAtRest:
     """The reactions of a system at rest, with which stated ones are compared.
 
@@ -292,12 +306,28 @@ class StatedReactionsAtRest:
         except (DivisionByZeroError, NotAlgebraicError, NoPointError, UnsupportedError):
             return ""
 
+    def _exchanged(self, zero: sp.Expr) -> str:
+        """Which other reaction has the stated value, in a sentence; empty if none, or if the value is zero."""
+        usual = self.newton.single_forces
+        used = self.names & zero.free_symbols
+        if len(used) != 1 or zero.xreplace(dict.fromkeys(used, sp.S.Zero)) == 0:
+            return ""
+        [stated] = used
+        for other in sorted(self.names - {stated}, key=str):
+            for sign in (1, -1):
+                claim = zero.xreplace({stated: sign * other})
+                if any(self._holds([claim], usual, r, ()) is Verdict.EQUIVALENT for r in self.reactions):
+                    return f"this is `{other}`, and not `{stated}`"
+        return ""
+
     def _explained(self, zero: sp.Expr) -> str:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
         from lagrange.answers.models.questions import explained_value
         from lagrange.answers.results.resting import of_one_letter
         from lagrange.answers.results.virtual_work import of_the_direction_alone
 
+        if why := self._exchanged(zero):
+            return why
         for reactions in self.reactions:
             configuration = reactions.configuration
             meant = configuration.rewritten(as_written(zero).xreplace(dict(self.newton.single_forces)))
@@ -312,6 +342,8 @@ class StatedReactionsAtRest:
                 stated, off = (sp.factor(sp.together(v)) for v in at_rest)
                 right = sp.factor(sp.together(stated + off))
                 letters = sorted({*self.reference.parameters.values()}, key=str)
+                if why := _at_special_position(stated, right, configuration):
+                    return why
                 if why := of_one_letter(value, off, letters, r, configuration.slots.coordinates):
                     return why
                 if sp.count_ops(right) <= LONGEST_COMPARED_REACTION:

@@ -19,6 +19,7 @@ from lagrange.answers.limits import (
     MAX_CLEARED_SIZE,
     MAX_FACTOR_ANGLES,
     MAX_FACTOR_COORDINATES,
+    MAX_FACTOR_LENGTHS,
     MAX_FACTOR_PARAMETERS,
     MAX_TERMS,
 )
@@ -176,9 +177,26 @@ def _renamed(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) -> It
                 yield Slip.PARAMETER, term.xreplace({a: b})
 
 
+def lengths_in(expressions: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """The square roots of sums in expressions, and magnitudes: distances and speeds."""
+    roots = {
+        sp.sqrt(p.base)
+        for e in expressions
+        for p in e.atoms(sp.Pow)
+        if p.exp.is_Rational and p.exp.q == 2 and p.base.is_Add
+    }
+    sizes = {a for e in expressions for a in e.atoms(sp.Abs)}
+    return tuple(sorted(roots | sizes, key=str)[:MAX_FACTOR_LENGTHS])
+
+
 @lru_cache(maxsize=64)
-def factors(parameters: Sequence[sp.Symbol], slots: Slots, angles: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
-    """The wrong factors that a term may have, up to a number, the simplest first."""
+def factors(
+    parameters: Sequence[sp.Symbol], slots: Slots, angles: Sequence[sp.Expr], lengths: Sequence[sp.Expr] = ()
+) -> tuple[sp.Expr, ...]:
+    """The wrong factors that a term may have, up to a number, the simplest first.
+
+    lengths  distances and speeds: roots and magnitudes
+    """
     constants = list(parameters)[:MAX_FACTOR_PARAMETERS]
     simple: list[sp.Expr] = [sp.S.One]
     simple += [s**n for s in constants for n in (1, -1, 2, -2)]
@@ -200,6 +218,7 @@ def factors(parameters: Sequence[sp.Symbol], slots: Slots, angles: Sequence[sp.E
         sine, cosine = sp.sin(angle), sp.cos(angle)
         moving += [sine, 1 / sine, cosine, 1 / cosine, sine**2, cosine**2, sine / cosine, cosine / sine]
     simple += moving
+    simple += [d**n for d in lengths for n in (1, -1, 2, -2)]
     simple += [a / b for a in constants for b in constants if a != b]
     simple += [a * b for a, b in combinations(constants, 2)] + [1 / (a * b) for a, b in combinations(constants, 2)]
     simple += [(a / b) ** n for a, b in combinations(constants, 2) for n in (2, -2)]

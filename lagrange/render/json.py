@@ -172,7 +172,7 @@ def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
     """Conditions, all of which hold; where there are several cases, those of each are in `cases`."""
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 
-    equations = [f"{write(e)} = 0" for e in resting.equations]
+    equations = [f"{write(left)} = {write(right)}" for left, right in resting.relations]
     cases = [[*equations, *(condition_of_rest(c, write) for c in case)] for case in resting.cases]
     common = [c for c in cases[0] if all(c in case for case in cases)] if cases else equations
     friction = {name: [write(f) for f in forces] for name, forces in resting.friction.items()}

@@ -77,7 +77,7 @@ def dimensions_needed(
             for symbol, power in powers.items():
                 q = base(symbol)
                 order = len(symbol.name) - len(q.name)
-                rest = [n + power * order * (unit == "s") for n, unit in zip(rest, BASE, strict=True)]
+                rest = [n + power * order * int(unit == "s") for n, unit in zip(rest, BASE, strict=True)]
                 if q in known:
                     rest = [n - power * k for n, k in zip(rest, known[q], strict=True)]
                 else:

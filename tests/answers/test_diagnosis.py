@@ -460,3 +460,24 @@ def test_nothing_is_called_coriolis_where_a_support_is_accelerated() -> None:
 )
 def test_one_term_of_a_reaction_or_of_a_constraint(problem: str, stated: str, said: str) -> None:
     assert said in feedback_on(problem, stated)
+
+
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        ("fall-through-air", "m*y'' = m*g - c*y'", "a factor abs(y') is missing"),
+        (
+            "two-body-problem",
+            "X'' = 0;Y'' = 0;u'' = -G*(m1 + m2)*u/(u^2 + v^2);v'' = -G*(m1 + m2)*v/(u^2 + v^2)",
+            "-(m1 + m2)*G*u/(u^2 + v^2)^(3/2) in place of -(m1 + m2)*G*u/(u^2 + v^2) (divided by sqrt(u^2 + v^2))",
+        ),
+    ],
+)
+def test_a_speed_or_a_distance_may_be_the_factor(problem: str, stated: str, said: str) -> None:
+    assert said in feedback_on(problem, stated)
+
+
+def test_a_factor_of_the_only_acceleration_is_not_said_beside_a_cause() -> None:
+    said = feedback_on("ex14-two-particles", "m1*x1'' = lambda_rod*(x1 - x2)")
+    assert "half of the reaction" in said
+    assert "in place of m1*x1''" not in said

@@ -148,7 +148,22 @@ def measured(equations: str = "[\"m*l^2*theta'' + m*g*l*sin(theta) = 0\"]") -> R
             "diff(m*r^2*phi', t) = m*r^2*phi'' + m*r*r'*phi'",
             "m*r*r'*phi' is left: is the derivative carried out rightly?",
         ),
+        (
+            "ex17-spherical-pendulum",
+            "r*theta'' + 2*r'*theta' - r*phi'^2*sin(theta)*cos(theta) + g*sin(theta) = 0",
+            "gravity that acts the other way, or for theta measured from the opposite direction, the other way",
+        ),
+        (
+            "two-body-problem",
+            "u'' = -G*m1*u/(u^2 + v^2)^(3/2)",
+            "m2*G*u/(u^2 + v^2)^(3/2) is missing on its left side",
+        ),
+        (
+            "door-closer",
+            "J*theta'' + b*theta' + c*a*h*sin(theta)*(1 - l/d) = 0",
+            "J*theta'' in kg m^2/s^2. This is the equation for the damper `oil` with b*theta' as its moment",
+        ),
     ],
 )
-def test_a_derivative_that_is_not_carried_out_rightly(problem: str, stated: str, said: str) -> None:
+def test_what_is_said(problem: str, stated: str, said: str) -> None:
     assert said in feedback_on(problem, stated)

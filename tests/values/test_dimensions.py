@@ -17,7 +17,7 @@ from lagrange.core.diagnostics import Fragment, Source
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.core.units import unit_called, unit_of, unit_of_dimension
 from lagrange.problem.loader import read_problem
-from lagrange.values.dimensions import Homogeneity, dimension_of_unit
+from lagrange.values.dimensions import Homogeneity, dimension_of_unit, dimensions_needed
 from tests.answers.test_diagnosis import SYSTEMS
 
 
@@ -149,3 +149,15 @@ def test_contradictory_terms_have_no_dimension() -> None:
     found = known(m="kg", x="m")
     assert found.dimension(m + x) is None
     assert called(found, m) == "kg"
+
+
+def test_the_dimension_that_a_factor_of_a_root_of_a_velocity_needs() -> None:
+    """c √x' is a force: c is kg m^(1/2) s^(-3/2)."""
+    of = {n: tuple(int(k) for k in dimension_of_unit(n)) for n in ("m", "N")}
+    needed = dimensions_needed([(k * sp.sqrt(prime(x)), of["N"])], {x: of["m"]})
+    assert needed is not None
+    assert needed[k] == tuple(a - sp.Rational(b, 2) for a, b in zip(of["N"], velocity(), strict=True))
+
+
+def velocity() -> tuple[int, ...]:
+    return tuple(int(n) for n in dimension_of_unit("m/s"))

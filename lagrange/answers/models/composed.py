@@ -171,3 +171,36 @@ def _dot(a: Components, b: Components) -> sp.Expr:
 def _three(parts: Iterator[sp.Expr]) -> Components:
     a, b, c = parts
     return a, b, c
+
+
+def gradient_of_one_product_left_out(m: Mechanics) -> Iterator[Variation]:
+    """What one product of velocities in T contributes to dT/dq is omitted."""
+    n = len(m.slots.coordinates)
+    rates = (*map(str, m.slots.velocities), "")
+    products = dict.fromkeys(pair for i in m.inertias for pair in i.products)
+    for a, b in products if len(products) > 1 else ():
+        apart = tuple(j for i in m.inertias for j in _split(i, (a, b)))
+        if b < n:
+            what = f"{rates[a]}^2" if a == b else f"{rates[a]}*{rates[b]}"
+            clause = f"without what the product {what} in T contributes to dT/dq"
+            yield Variation(clause, f"dT/dq: T has {what}", replace(m, inertias=apart))
+
+
+def _split(i: Inertia, pair: tuple[int, int]) -> tuple[Inertia, ...]:
+    """A kinetic energy as its product `pair`, without dT/dq, and its others."""
+    if pair not in [*i.products]:
+        return (i,)
+    alone = i.times({p: sp.S.Zero for p in i.products if p != pair})
+    return replace(alone, gradient=sp.S.Zero), i.times({pair: sp.S.Zero})
+
+
+def constraint_of_constant_direction(m: Mechanics) -> Iterator[Variation]:
+    """A constraint Σ a_i q_i' = 0 is differentiated as Σ a_i q_i'' = 0, as if the a_i were constant."""
+    moving = {*m.slots.coordinates}
+    turning = [r for r in m.configuration.rows if any(not a.free_symbols.isdisjoint(moving) for a in r.coefficients)]
+    if turning and all(r.nonlinear is None for r in m.configuration.rows):
+        names = ", ".join(called(r.name) for r in turning)
+        clause = (
+            f"if d/dt of the constraint {names} is carried out for the velocities alone, not for their coefficients"
+        )
+        yield Variation(clause, f"the derivative of the constraint {names}", replace(m, is_steady=True))

@@ -23,7 +23,6 @@ from lagrange.core.symbols import partial, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
-from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.lagrangian import is_constant, share_of_damper, share_of_load, share_of_spring
 
@@ -36,6 +35,8 @@ _NAMES = {
     AppliedForceKind.DAMPER: "the damper",
     AppliedForceKind.FRICTION: "the friction",
     AppliedForceKind.REACTIVE: "the reactive force on",
+    AppliedForceKind.VELOCITY_POTENTIAL: "the velocity-dependent part of the potential",
+    AppliedForceKind.LAGRANGIAN: "the term of the Lagrangian",
 }
 
 
@@ -43,36 +44,6 @@ def name_of(force: ForceShare) -> str:
     """A force in a sentence: the spring `middle`."""
     by_place = force.kind in (AppliedForceKind.WEIGHT, AppliedForceKind.REACTIVE)
     return f"{_NAMES[force.kind]} {called(force.on[0] if by_place else force.name)}"
-
-
-def exchanged_momentum(m: Mechanics) -> Iterator[Variation]:
-    """Another velocity of the mass that leaves or joins, or a variable mass in T whose exchange carries no momentum."""
-    configuration = m.configuration
-    places = {p.name: p for p in configuration.points}
-    for mass in configuration.variable_masses:
-        point = places[mass.name]
-        loads = [f for f in configuration.loads if f.on == mass.name and f.name == REACTIVE]
-        load = loads[0] if loads else Load(REACTIVE, mass.name, Vector.zero(), point.position)
-        place = f"the momentum of the mass that {'leaves' if mass.leaves else 'joins'} {called(mass.name)}"
-        carried, given = point.velocity * -mass.rate, mass.velocity * mass.rate
-        taken, instead = ("in the fixed axes", "relative to the particle")[:: 1 if mass.relative else -1]
-        other = f"for a velocity of the exchanged mass taken {taken} instead of {instead}"
-        confused = given + carried if mass.relative else given
-        for clause, vector in (
-            ("for d(m v)/dt = F, as if the exchanged mass had no velocity", carried),
-            (other, confused),
-        ):
-            if vector.is_zero:
-                continue  # without the reactive force, which is a model of its own
-            shares = [share_of_load(replace(load, vector=vector), v, configuration) for v in m.slots.velocities]
-            yield Variation(clause, place, _with_reactive(m, mass.name, shares))
-        clause = "with the derivatives of the varying mass in T, and without the momentum of the exchanged mass"
-        yield Variation(clause, place, _with_reactive(m, mass.name, [-s for s in configuration.mass_terms]))
-
-
-def _with_reactive(m: Mechanics, name: str, shares: Sequence[sp.Expr]) -> Mechanics:
-    others = tuple(f for f in m.forces if not (f.kind is AppliedForceKind.REACTIVE and f.on == (name,)))
-    return replace(m, forces=(*others, ForceShare(AppliedForceKind.REACTIVE, REACTIVE, tuple(shares), False, (name,))))
 
 
 def gravity_reversed(m: Mechanics) -> Iterator[Variation]:
@@ -258,7 +229,7 @@ def force_doubled(m: Mechanics) -> Iterator[Variation]:
 
 def _each_kind(m: Mechanics, factor: sp.Expr, clause: str, place: str) -> Iterator[Variation]:
     for kind in AppliedForceKind:
-        if kind not in (AppliedForceKind.QUASI, AppliedForceKind.FRICTION):
+        if kind not in (AppliedForceKind.QUASI, AppliedForceKind.FRICTION, AppliedForceKind.LAGRANGIAN):
             yield from _all_and_each(m, m.of_kind(kind), factor, clause, place)
 
 

@@ -29,6 +29,7 @@ from itertools import combinations, pairwise, permutations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.answers.limits import MOST_MULTIPLIED
 from lagrange.answers.models.mechanics import (
     AppliedForceKind,
     Inertia,
@@ -153,7 +154,10 @@ def exchanged(m: Mechanics) -> Iterator[Variation]:
         if not m.may_be_exchanged(a, b):
             continue
         yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
+    angles = _in_waves(m)
     for q, p in combinations(m.slots.coordinates, 2):
+        if (q in angles) != (p in angles):
+            continue  # an angle and a length are not taken for one another
         rule = {q: p, p: q}
         for order in (1, 2):
             rule |= {prime(q, order): prime(p, order), prime(p, order): prime(q, order)}
@@ -168,6 +172,14 @@ def exchanged(m: Mechanics) -> Iterator[Variation]:
         if len(rule) > 2:
             clause = f"with the indices {first} and {second} of the parameters exchanged"
             yield Variation(clause, f"the indices {first} and {second}", rule=rule)
+
+
+def _in_waves(m: Mechanics) -> set[sp.Symbol]:
+    """The symbols in sines and cosines."""
+    columns = [c for i in m.inertias for column in i.columns for c in column]
+    shares = [s for f in m.forces for s in f.shares]
+    rows = [a for row in m.configuration.rows for a in row.coefficients]
+    return {s for e in (*columns, *shares, *rows) for w in e.atoms(sp.sin, sp.cos) for s in w.free_symbols}
 
 
 def left_out(m: Mechanics) -> Iterator[Variation]:
@@ -185,6 +197,15 @@ def doubled(m: Mechanics) -> Iterator[Variation]:
     for a in _parameters(m):
         for factor, stands in ((sp.Rational(1, 2), f"2*{a}"), (sp.Integer(2), f"{a}/2")):
             yield Variation(f"with {stands} in place of {a} throughout", f"what {a} is", rule={a: factor * a})
+
+
+def multiplied(m: Mechanics) -> Iterator[Variation]:
+    """A parameter multiplied or divided by another throughout, as where an inner derivative is forgotten."""
+    parameters = _parameters(m)
+    for a, b in permutations(parameters, 2) if len(parameters) <= MOST_MULTIPLIED else ():
+        if not _is_angle(a, m) and not _is_angle(b, m):
+            for factor, stands in ((b, f"{a}/{b}"), (1 / b, f"{a}*{b}")):
+                yield Variation(f"with {stands} in place of {a} throughout", f"what {a} is", rule={a: factor * a})
 
 
 def surface_at_rest(m: Mechanics) -> Iterator[Variation]:

@@ -113,6 +113,8 @@ class AppliedForceKind(Enum):
     FRICTION = auto()
     REACTIVE = auto()
     QUASI = auto()  # the term that quasi-coordinates add to Lagrange's expression
+    VELOCITY_POTENTIAL = auto()  # of a potential that depends on velocities and on positions alone, the former part
+    LAGRANGIAN = auto()  # what a term of a given Lagrangian contributes, accelerations included
 
 
 _KINDS = {"weight": AppliedForceKind.WEIGHT, REACTIVE: AppliedForceKind.REACTIVE}
@@ -146,6 +148,7 @@ class Mechanics:
     multipliers  of the constraints that remain, as far as they are unknowns of the equations
     places     of the particles and mass centres, in the coordinates of the file
     ends       of the rods, by the names of their bodies
+    is_steady  whether constraints are differentiated as if their coefficients were constant
     """
 
     configuration: Configuration
@@ -158,6 +161,7 @@ class Mechanics:
     multipliers: tuple[sp.Symbol, ...] = ()
     places: tuple[tuple[str, Vector], ...] = ()
     ends: tuple[tuple[str, tuple[Vector, ...]], ...] = ()
+    is_steady: bool = False
 
     def may_be_exchanged(self, a: sp.Symbol, b: sp.Symbol) -> bool:
         """Whether two parameters are of the same kind, judging by their units."""
@@ -267,11 +271,16 @@ def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[
             static, _ = with_velocities_apart([f.energy], problem.slots)
             energy = configuration.rewritten(static)
             yield ForceShare(AppliedForceKind.POTENTIAL, f.name, tuple(-partial(energy, q) for q, _ in pairs), True)
-    if others := given_forces(configuration):
+    if configuration.is_outright:
+        yield from _terms_of_lagrangian(configuration)
+    if others := configuration.generalized if configuration.is_outright else given_forces(configuration):
         named = [f.name for f in problem.forces if isinstance(f, GeneralizedForce)]
         energies = [f for f in problem.forces if isinstance(f, Potential)]
-        named += [f.name for f in energies if not f.energy.free_symbols.isdisjoint(problem.slots.velocities)]
-        yield ForceShare(AppliedForceKind.FORCE, named[0] if len(named) == 1 else "generalized", others, False)
+        moving = [f for f in energies if not f.energy.free_symbols.isdisjoint(problem.slots.velocities)]
+        mixed = not named and any(with_velocities_apart([f.energy], problem.slots)[0] != 0 for f in moving)
+        named += [f.name for f in moving]
+        kind = AppliedForceKind.VELOCITY_POTENTIAL if mixed else AppliedForceKind.FORCE
+        yield ForceShare(kind, named[0] if len(named) == 1 else "generalized", others, False)
     for s in configuration.springs:
         yield ForceShare(
             AppliedForceKind.SPRING, s.name, tuple(share_of_spring(s, q) for q, _ in pairs), True, _names(s.ends)
@@ -287,6 +296,16 @@ def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[
     for m in configuration.torques:
         shares = tuple(share_of_torque(m, v, configuration) for _, v in pairs)
         yield ForceShare(AppliedForceKind.MOMENT, m.name, shares, False, (m.on,))
+
+
+def _terms_of_lagrangian(configuration: Configuration) -> Iterator[ForceShare]:
+    """∂L_a/∂q_k − d/dt ∂L_a/∂q_k' of each term L_a of a given Lagrangian."""
+    slots = configuration.slots
+    for term in sp.Add.make_args(sp.expand(configuration.velocity_part) - sp.expand(configuration.potential)):
+        alone = replace(configuration, generalized=(), velocity_part=term)
+        if term != 0:
+            conservative = term.free_symbols.isdisjoint({*slots.velocities})
+            yield ForceShare(AppliedForceKind.LAGRANGIAN, written(term, slots), given_forces(alone), conservative)
 
 
 def _names(ends: Sequence[str | Vector]) -> tuple[str, ...]:
@@ -341,6 +360,11 @@ class Variation:
     rule: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     quasi: VariedQuasiEquations | None = None
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether its constraints are differentiated as if their coefficients were constant."""
+        return self.mechanics is not None and self.mechanics.is_steady
 
     @property
     def is_reduced(self) -> bool:

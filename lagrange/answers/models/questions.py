@@ -31,7 +31,7 @@ NO_DEPENDENCE = "the right answer does not depend on"
 
 @record
 class _Change:
-    """The omission: factors of T, ΔU, A and B v², whether v is treated as zero, and a different T_0."""
+    """The omission: factors of T, ΔU, A and B v², whether v is treated as zero, a different T_0, and a factor of v²."""
 
     said: str
     kinetic: sp.Expr = sp.S.One
@@ -40,6 +40,7 @@ class _Change:
     moving: sp.Expr = sp.S.One
     still: bool = False
     start: sp.Expr | None = None
+    square: sp.Expr = sp.S.One
 
 
 _HALF = sp.Rational(1, 2)
@@ -56,6 +57,10 @@ _OF_ENERGY = (
     _Change("the potential energy has the wrong sign in the energy", potential=sp.S.NegativeOne),
     _Change("{less}", kinetic=sp.Integer(2)),
     _Change("{more}", kinetic=_HALF),
+    _Change(
+        "the square of the velocity there is half as large as it should be: is the 1/2 of T missing?", square=_HALF
+    ),
+    _Change("the square of the velocity there is twice as large as it should be", square=sp.Integer(2)),
 )
 _FROM_REST = {
     "less": "the square of the velocity is half as large as it should be: is the 1/2 of T missing?",
@@ -255,7 +260,7 @@ class _Setting:
         start = self.start if change.start is None else change.start
         square = (
             sp.S.Zero if change.still else 2 * (start - change.potential * self.change / change.kinetic) / self.inertia
-        )
+        ) * change.square
         force = sp.expand(self.force)
         resting = force.xreplace({v: sp.S.Zero})
         force = change.resting * resting + change.moving * (force - resting)

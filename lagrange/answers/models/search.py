@@ -219,18 +219,25 @@ def _space_by_rule(variation: Variation, at: ModelState) -> RowSpace | None:
 
 
 def follows_from_rest(row: NumberRow, variation: Variation, at: ModelState) -> bool:
-    """Whether an equation follows from a variation only because all its accelerations vanish there.
+    """Whether an equation follows from a variation only because all its accelerations vanish there, or a force does.
 
     Then its coefficients may be any, and it is explained only if it is one of the equations itself.
     """
     vanishes, number = at.point.arithmetic.vanishes, at.point.number
     columns = [j for j, x in enumerate(row) if not vanishes(x)]
-    if variation.rule or len(columns) < 2 or columns[-1] == len(row) - 1:
+    if variation.rule or len(columns) < 2:
         return False
     rows = changed_rows(variation, at) or []
-    space = at.space(rows)
-    units = ([number(int(i == j)) for i in range(len(row))] for j in columns)
-    return all(unit in space for unit in units) and not any(row in at.space([own]) for own in rows)
+    space = at.space(rows, variation.mechanics)
+    last, forces = len(row) - 1, range(len(at.unknowns) - len(at.slots.coordinates))
+
+    def vanish(j: int) -> bool:
+        return [number(int(i == j)) for i in range(len(row))] in space
+
+    at_rest = columns[-1] < last and all(map(vanish, columns))
+    # Of a steady constraint a force that is absent from the equation matters as well: it was not counted there.
+    unloaded = any(vanish(j) for j in forces if variation.is_steady or j in columns)
+    return (at_rest or unloaded) and not any(row in at.space([own], variation.mechanics) for own in rows)
 
 
 def inverted(rule: Mapping[sp.Basic, sp.Basic]) -> dict[sp.Basic, sp.Basic] | None:
@@ -242,7 +249,7 @@ def inverted(rule: Mapping[sp.Basic, sp.Basic]) -> dict[sp.Basic, sp.Basic] | No
             continue
         factor = sp.expand(meant).coeff(symbol)
         rest = sp.expand(meant - factor * symbol)
-        if factor == 0 or not factor.is_number or rest.free_symbols & {*rule}:
+        if factor == 0 or (factor.free_symbols | rest.free_symbols) & {*rule}:
             return None
         inverse[symbol] = (symbol - rest) / factor
     return inverse
@@ -301,7 +308,7 @@ class _Search:
             work -= self._cost
             if work < 0:
                 return None
-            if not combined and variation.is_reduced:
+            if (not combined and variation.is_reduced) or (variation.is_steady and not self._accelerated(which)):
                 continue
             if (
                 self._fits(number, variation, which)
@@ -310,6 +317,11 @@ class _Search:
             ):
                 return name, variation
         return None
+
+    def _accelerated(self, which: Sequence[int]) -> bool:
+        """Whether one of these equations contains an acceleration, and is more than the value of a force."""
+        accelerations = self.models.system.configuration.slots.accelerations
+        return any(not self.equations[n].free_symbols.isdisjoint(accelerations) for n in which)
 
     @cached_property
     def _functions(self) -> set[Unspecified]:

@@ -80,7 +80,9 @@ class ModelState:
     def space(self, rows: Sequence[NumberRow], mechanics: Mechanics | None = None) -> RowSpace:
         """The row space of some equations and the constraints, which may be others in a changed system."""
         constraints = self.constraints
-        if mechanics is not None and mechanics.configuration.rows != self.system.configuration.rows:
+        if mechanics is not None and (
+            mechanics.is_steady or mechanics.configuration.rows != self.system.configuration.rows
+        ):
             constraints = affine_rows(self.point, _accelerated(mechanics.configuration), self.unknowns)
         return RowSpace(self.point.arithmetic, [*constraints, *rows])
 
@@ -263,6 +265,8 @@ class TermGroup:
             _SIGN: f"the sign of {self.what} is wrong",
             _TWICE: f"{self.what} is counted twice",
             _HALF: f"only half of {self.what} is there",
+            -_TWICE: f"{self.what} is counted twice, with the wrong sign,",
+            -_HALF: f"only half of {self.what} is there, with the wrong sign,",
         }[factor]
         return f"{how} in the equation of {coordinate}", self.what
 
@@ -277,7 +281,8 @@ def term_groups(m: Mechanics) -> Iterator[TermGroup]:
         if f.kind is not AppliedForceKind.QUASI:
             yield TermGroup("force in one equation", name_of(f), share(f))
     for j, row in enumerate(m.configuration.rows):
-        yield TermGroup("reaction in one equation", f"the reaction of {called(row.name)}", _reaction(j))
+        what = f"the reaction of {called(row.name)}"
+        yield TermGroup("reaction in one equation", what, _reaction(j), (_ZERO, _SIGN, _TWICE, _HALF, -_TWICE, -_HALF))
     weights = m.of_kind(AppliedForceKind.WEIGHT)
     if len(weights) > 1:
         yield TermGroup("weight in one equation", "the weight", share(*weights))

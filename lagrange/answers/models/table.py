@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from lagrange.answers.models import composed, forces, kinematics, kinetic
+from lagrange.answers.models import composed, forces, kinematics, kinetic, lagrangians, lengths, links, variable_masses
 from lagrange.answers.models.mechanics import Mechanics, Variation
 from lagrange.core.records import record
 
@@ -36,7 +36,8 @@ MODELS = (
     Model("friction the other way", forces.friction_reversed),
     Model("force reversed", forces.force_reversed),
     Model(MEASURED_FROM_ELSEWHERE, kinematics.measured_from_elsewhere),
-    Model("momentum of exchanged mass", forces.exchanged_momentum),
+    Model("momentum of exchanged mass", variable_masses.exchanged_momentum),
+    Model("varying mass taken as constant", variable_masses.mass_as_at_the_start),
     Model("constraint put into T", kinetic.constraint_in_energy),
     Model("quasi-velocities taken for velocities", kinematics.products_left_out),
     Model("moving frame or support taken as fixed", kinetic.frame_at_rest),
@@ -54,11 +55,15 @@ MODELS = (
     Model("carried weight left out", forces.carried_weight_left_out),
     Model("force left out", forces.force_left_out),
     Model("one weight reversed", forces.one_weight_reversed),
+    Model("term of the Lagrangian", lagrangians.term_changed),
+    Model("part of Lagrange's derivatives left out", lagrangians.part_of_derivative_left_out),
     Model("dT/dq left out", kinetic.gradient_left_out),
     Model("d/dt of a product half done", kinetic.product_half_done),
     Model("Coriolis terms", kinetic.mixed_terms),
     Model("centrifugal terms", kinetic.squared_terms),
     Model("dT/dq with the wrong sign", kinetic.gradient_reversed),
+    Model("dT/dq of one product left out", composed.gradient_of_one_product_left_out),
+    Model("constraint differentiated as if its direction were constant", composed.constraint_of_constant_direction),
     Model("angle measured from elsewhere in V", forces.angle_from_elsewhere),
     Model("sine and cosine exchanged in a force", forces.components_exchanged),
     Model("support taken as fixed in a force", forces.support_at_rest),
@@ -96,6 +101,11 @@ MODELS = (
     Model("small angles in the kinetic energy", kinetic.angles_small_in_energy),
     Model("radius for the distance from an axis", kinetic.radius_for_distance),
     Model("length left out of a position", kinetic.length_left_out),
+    Model("one of two lengths for their sum", lengths.one_of_two_lengths),
+    Model("spring or damper fastened elsewhere", links.fastened_elsewhere),
+    Model("lever arm of a spring or damper", links.with_another_arm),
+    Model("absolute for relative extension", links.of_another_difference),
+    Model("parameter taken as infinite", lagrangians.parameter_infinite),
     Model("centre taken to lie on the line that carries it", composed.offset_left_out),
     Model("length doubled in a position", kinetic.length_doubled),
     Model("another rate of what a constraint moves", kinematics.moved_at_another_rate),
@@ -103,6 +113,7 @@ MODELS = (
     Model("velocity terms left out", kinetic.velocity_terms_left_out),
     Model("length taken as given", kinematics.length_for_coordinate),
     Model("factor 2", kinetic.factor_two),
+    Model("parameter multiplied by another", kinematics.multiplied),
 )
 """In the order of their likelihood. Several may make the same equations; then the first is named."""
 

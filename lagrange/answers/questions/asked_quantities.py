@@ -33,6 +33,7 @@ from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.results import Asked, How
 from lagrange.mechanics.results import Solution
 from lagrange.problem.questions import scope_of_questions
+from lagrange.values.dimensions import dimension, dimension_of_unit, dimensions_of_units
 
 _FACTORS = (
     (sp.Rational(1, 2), "it is twice as large as it should be"),
@@ -44,6 +45,7 @@ _FACTORS = (
     (1 / (2 * sp.pi), "there is a factor 2*pi too many"),
 )
 """What would make a wrong value right."""
+_HALVED = ": its square is half as large, as from a kinetic energy without its 1/2"
 _SIDES = "one of two opposite values: the sense of the motion is left open by the initial state"
 _SPEED = "it is taken as a speed, without the sign that the velocity has here"
 _SIGN = "it leaves the sign open"
@@ -163,10 +165,14 @@ class AskedClaim:
 
     def _causes(self, claim: sp.Expr) -> Iterator[str]:
         """What each kind of cause says about a wrong answer, the likeliest first; empty where it is not that kind."""
+        from lagrange.answers.results.motion import explained_as_change
+
         value = claim if self.expression is not None else self._stated_value(claim)
         of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
         if stated is not None:
             yield from self._of_another_law(value, stated, of)
+            right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
+            yield explained_as_change(stated, right, of, self.asked)
         if value is not None:
             yield self._of_a_factor(value)
         yield self._of_other_letters(claim)
@@ -211,11 +217,15 @@ class AskedClaim:
         """Where a multiple of the value, its square or its root would be right."""
         for factor, how in _FACTORS:
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
-                return how
+                return f"{how}{_HALVED}" if factor == sp.sqrt(2) and self._is_speed(value) else how
         for changed, how in () if value.is_number else ((value**2, "root"), (sp.sqrt(value), "square")):
             if self._of_expression(changed)[0] is Verdict.EQUIVALENT:
                 return f"this is the {how} of what is asked for"
         return ""
+
+    def _is_speed(self, value: sp.Expr) -> bool:
+        """Whether a value is a velocity, by its units."""
+        return dimension(value, dimensions_of_units(self.units)) == dimension_of_unit("m/s")
 
     def _of_other_letters(self, claim: sp.Expr) -> str:
         """Where letters are exchanged, or one of them is lost."""
@@ -243,10 +253,11 @@ class AskedClaim:
         """Where the answer is that of another state, lacks terms, or has another dimension."""
         from lagrange.answers.models.questions import explained_value
         from lagrange.answers.results.meanings import wrong_dimension
-        from lagrange.answers.results.motion import explained_at_start, explained_in_any_state
+        from lagrange.answers.results.motion import explained_as_motion, explained_at_start, explained_in_any_state
 
         if value is not None:
             yield explained_at_start(value, self.asked, self.candidates)
+            yield explained_as_motion(value, self.asked, self.candidates)
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
         lengths = self._lengths()
@@ -270,7 +281,7 @@ class AskedClaim:
         """The answer for another moment of inertia, as a sentence; empty if it is none."""
         from lagrange.answers.results.meanings import other_bodies
 
-        others = other_bodies(self.solution)
+        others = other_bodies(self.solution, self.asked.question.name)
         if others is None:
             return ""
         solved, changes = others

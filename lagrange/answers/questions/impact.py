@@ -18,7 +18,7 @@ answer alike. A letter that the problem does not declare, V = m v/(m + M), may b
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -35,6 +35,7 @@ from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.core.symbols import prime, velocity_before
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
@@ -156,6 +157,7 @@ def _same(claim: sp.Expr, value: sp.Expr, motion: ImpulsiveMotion, reference: Re
 _WRONG = "it does not hold for the velocities just after the impact"
 _IDENTITY = "it says nothing about the impact"
 _ACCELERATION = "accelerations have no meaning during an impact"
+_OTHERWISE = "it is right with `a/b c` read as `a/(b c)`, and `sin x^2` as `sin(x^2)`"
 _SPEED = "it is taken as the magnitude of {}"
 _MISSING = "the answer does not determine {}"
 
@@ -173,7 +175,7 @@ def check_impact_in_text(
     rows: list[sp.Expr] = []
     for signs in product((1, -1), repeat=min(len(names), MOST_IMPULSES)):
         turned = {s: -s for s, sign in zip(names, signs, strict=False) if sign < 0}
-        each = [_judged_equation(r, motion, reference, turned) for r in readings]
+        each = [_judged_either_way(r, motion, reference, turned) for r in readings]
         if best is None or _right(each) > _right(best):
             best = each
             rows = [
@@ -203,14 +205,36 @@ def check_impact_in_text(
 
 _JUST_AFTER = re.compile(
     r"(?P<rate>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?\w{1,12})|[^\W\d]\w{0,12}['′])\s*[_^]\s*(?:\{\s*\+\s*\}|\+(?=\s*=))"
+    r"|(?P<dotted>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?[A-Za-z]{1,12})(?:_\w)?|[^\W\d_]\u0307|[ẋẏżẊẎŻṙṡ])\s*['′]"
 )
-"""A velocity just after, with a sign: `\\dot\\theta^+ = ...`."""
+"""A velocity just after, with a sign: `\\dot\\theta^+ = ...`, `\\dot x' = ...`."""
+_LETTER_AFTER = re.compile(r"(?<![A-Za-z_\\])(?P<name>\\?(?:omega|Omega)|[wvuVωΩ])['′](?!['′])")
+"""A letter for a velocity just after, ω'."""
+_OMEGA_AFTER = ("prime", "1", "2", "f", "after", "new")
+"""The index of ω just after an impact, where ω is that before."""
+
+
+def without_primes_after(answer: Sequence[Fragment], declared: Collection[str]) -> list[Fragment]:
+    """`w' = ...` as w = ..., for a letter that the problem does not declare and that occurs with its prime only."""
+    found = {m["name"] for f in answer for m in _LETTER_AFTER.finditer(f.text)}
+    bare = {
+        n
+        for n in found
+        if "".join(GREEK.get(c, c) for c in n.lstrip("\\")) not in declared
+        and not any(re.search(rf"(?<![A-Za-z_\\]){re.escape(n)}(?![A-Za-z0-9_'′])", f.text) for f in answer)
+    }
+    made = []
+    for f in answer:
+        draft = Draft(f)
+        changed = draft.replace(_LETTER_AFTER, lambda m: m["name"] if m["name"] in bare else None)
+        made.append(draft.finished(latex=is_latex(f)) if changed else f)
+    return made
 
 
 def without_sign_after(fragment: Fragment) -> Fragment:
     """`\\dot\\theta^+` as the velocity just after, which is what velocities mean in an answer."""
     draft = Draft(fragment)
-    changed = draft.replace(_JUST_AFTER, lambda m: m["rate"])
+    changed = draft.replace(_JUST_AFTER, lambda m: m["rate"] or m["dotted"])
     return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
@@ -289,6 +313,17 @@ def _judged_equation(
     return EquationVerdict.of(text, Verdict.EQUIVALENT, "; ".join(remarks))
 
 
+def _judged_either_way(
+    reading: Reading, motion: ImpulsiveMotion, reference: Reference, turned: Mapping[sp.Symbol, sp.Expr]
+) -> EquationVerdict:
+    """The verdict on an equation in its usual reading, or in the other one if it is right so: `2h/3R` as 2h/(3R)."""
+    judged = _judged_equation(reading, motion, reference, turned)
+    if judged.verdict is not Verdict.WRONG or reading.other is None:
+        return judged
+    other = _judged_equation(reading.other, motion, reference, turned)
+    return replace(other, remarks=(*other.remarks, _OTHERWISE)) if other.verdict is Verdict.EQUIVALENT else judged
+
+
 def _explained(
     reading: Reading, judged: EquationVerdict, motion: ImpulsiveMotion, reference: Reference, problem: Problem
 ) -> EquationVerdict:
@@ -337,20 +372,36 @@ def _missing(claims: Sequence[sp.Expr], motion: ImpulsiveMotion) -> list[str]:
     return missing
 
 
-def with_omega(reference: Reference, motion: ImpulsiveMotion) -> list[Reference]:
-    """The names that an answer may use, with ω for the only angular velocity just after the impact, in either sense."""
+def with_omega(answer: Sequence[Fragment], reference: Reference, motion: ImpulsiveMotion) -> list[Reference]:
+    """The names that an answer may use, with ω for the only angular velocity just after the impact, in either sense.
+
+    Where the problem has ω for that before, it is the one with an index or a prime.
+    """
     angles = [q for q in motion.slots.coordinates if reference.units.get(q, "") in ("", "rad", "deg")]
-    if len(angles) != 1 or "omega" in reference.declared:
+    names = {n for n in ("omega", "w", "Omega") if n not in reference.declared and reference.scope.scalar(n) is None}
+    if "omega" in reference.declared:
+        names = {*filter(None, [_omega_with_index(answer, reference.declared)])}
+    if len(angles) != 1 or not names:
         return []
-    declared = reference.declared | {"omega"}
+    declared = reference.declared | names
     return [
         replace(
             reference,
-            scope=replace(reference.scope, scalars={**reference.scope.scalars, "omega": rate}),
+            scope=replace(reference.scope, scalars={**reference.scope.scalars, **dict.fromkeys(names, rate)}),
             declared=declared,
         )
         for rate in (prime(angles[0]), -prime(angles[0]))
     ]
+
+
+def _omega_with_index(answer: Sequence[Fragment], declared: Collection[str]) -> str:
+    """The name of ω with an index that occurs in an answer and is not declared; empty if none does."""
+    for index in _OMEGA_AFTER:
+        mark = "['′]" if index == "prime" else rf"_\{{?\s*{index}\s*\}}?(?![A-Za-z0-9])"
+        written = re.compile(rf"(?:\\?omega|ω){mark}")
+        if f"omega_{index}" not in declared and any(written.search(f.text) for f in answer):
+            return f"omega_{index}"
+    return ""
 
 
 def with_impulses(reference: Reference, motion: ImpulsiveMotion) -> Reference:

@@ -121,6 +121,7 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         with_impulses,
         with_losses,
         with_omega,
+        without_primes_after,
         without_sign_after,
     )
     from lagrange.answers.written.working import understood
@@ -134,11 +135,15 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         judged = _impact(rest, solution) if rest else None
         return replace(judged, others=(*judged.others, *losses)) if judged else _only(losses[-1], solution)
     reference = with_impulses(reference_of_solution(solution), motion)
+    answer = without_primes_after(answer, reference.declared)
     verdict = check_impact_in_text(understood(answer, reference), motion, reference, solution.problem)
-    if verdict.verdict is Verdict.UNDECIDED or verdict.unreadable:  # omega may be the name of the rate
-        others = with_omega(reference, motion)
+    if verdict.unreadable or verdict.verdict in (Verdict.UNDECIDED, Verdict.TRIVIAL, Verdict.INCOMPLETE):
+        others = with_omega(answer, reference, motion)  # omega may be the name of the rate
         tried = [check_impact_in_text(understood(answer, r), motion, r, solution.problem) for r in others]
-        verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
+        right = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), None)
+        wrong_in_both = all(v.verdict is Verdict.WRONG for v in tried)
+        doubtful = verdict.verdict is not Verdict.INCOMPLETE or wrong_in_both
+        verdict = right or (next(iter(tried), verdict) if doubtful else verdict)
     verdict = replace(verdict, name="impact")
     if not solution.asked:
         return _only(verdict, solution)

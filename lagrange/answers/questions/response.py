@@ -17,7 +17,7 @@ although the problem calls it w. Without damping, equations between amplitudes a
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -159,6 +159,7 @@ def with_names_of_response(reference: Reference, responses: Sequence[Response], 
 def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
     """The verdict on amplitudes and motions; None if a text has none, or equations of motion as well."""
     responses = [v.response for v in solution.views if v.response is not None]
+    answer = _without_trials(answer, {q.name for r in responses for q in r.by_coordinate})
     for lags in (False, True):
         reference = with_names_of_response(reference_of_solution(solution), responses, lags=lags)
         working = understood([without_hats(f) for f in answer], reference)
@@ -166,6 +167,32 @@ def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
         if verdict is not None and not verdict.unreadable:
             break
     return None if verdict is None else replace(verdict, name="response")
+
+
+_TRIAL = re.compile(
+    r"[\s$&]*(?P<coordinate>\\?[^\W\d_]\w{0,12}?)\s*(?:\(\s*t\s*\))?\s*&?=\s*"
+    r"(?P<amplitude>\\?[^\W\d_](?:_\{?\w{1,3}\}?)?)"
+    r"(?:\\[,;:! ]|[\s*·])*\\?(?:cos|sin)\s*(?:\\left\s*)?\(?"
+    r"\s*\\?\w{1,8}\s*\\?,?[\s*]*t\s*(?:\\right\s*)?\)?[\s.,:;$]*\Z"
+)
+"""A trial solution, `x = X cos(w t)`, whose amplitude other lines determine."""
+
+
+def _without_trials(answer: Sequence[Fragment], coordinates: Collection[str]) -> list[Fragment]:
+    """The lines without trial solutions for a coordinate, in letters that occur in other lines and are not given."""
+    kept = []
+    for f in answer:
+        match = _TRIAL.match(f.text)
+        others = [g.text for g in answer if g is not f]
+        trial = match is not None and match["coordinate"].lstrip("\\") in coordinates
+        if match is not None and trial:
+            letter = re.escape(match["amplitude"])
+            used = any(re.search(rf"(?<![A-Za-z_\\]){letter}(?![A-Za-z0-9_])", text) for text in others)
+            given = any(re.match(rf"[\s$&]*{letter}\s*&?=", text) for text in others)
+            if used and not given and not all(map(_TRIAL.match, others)):
+                continue
+        kept.append(f)
+    return kept
 
 
 def check_response_in_text(

@@ -181,8 +181,25 @@ def under_another_name(answer: Sequence[Fragment], solution: Solution) -> Answer
             return None
         if any(base(s) != s for s in value.free_symbols) or dimension(value, known) not in expected:
             return None
-        parts.append(EquationVerdict(f.text.strip(), Verdict.WRONG, _UNANSWERED))
+        said = "; ".join(filter(None, (_UNANSWERED, _nearest(value, label_of(f) or "", solution))))
+        parts.append(EquationVerdict(f.text.strip(), Verdict.WRONG, said))
     return AnswerVerdict(Verdict.WRONG, tuple(parts), name="ask") if parts else None
+
+
+def _nearest(value: sp.Expr, label: str, solution: Solution) -> str:
+    """How a value differs from the answer to the question whose name begins with its letter, or to the only one from
+    which it differs in a simple way; empty if there is none."""
+    from lagrange.answers.models.questions import NO_DEPENDENCE, explained_value
+
+    found = {}
+    for a in (a for a in solution.asked if a.answered):
+        right = [v for b in a.branches for v in b.values]
+        why = next(filter(None, (explained_value(value, v, {*()}) for v in right)), "")
+        if why and not why.startswith(NO_DEPENDENCE):
+            found[a.question.name] = why
+    own = [name for name in found if label and name.startswith(label)]
+    names = own or (list(found) if len(found) == 1 else [])
+    return f"of `{names[0]}`: {found[names[0]]}" if len(names) == 1 else ""
 
 
 # Equations for what is asked
@@ -288,7 +305,7 @@ _ENERGY = tuple(sp.Integer(n) for n in unit_of("J").dimension)  # type: ignore[u
 
 
 def _is_potential_energy(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
-    """Whether `V = ...` is an energy and no speed: by its dimension, or beside a kinetic energy where that is unknown."""
+    """Whether `V = ...` is an energy and no speed: by its dimension, or beside a kinetic energy."""
     match = _POTENTIAL.match(fragment.text)
     if match is None or match["name"] in reference.declared:
         return False

@@ -48,7 +48,7 @@ from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
-from lagrange.problem.model import AppliedForce, Assumption, Force, Friction, Parameter, Problem
+from lagrange.problem.model import AppliedForce, Assumption, Find, Force, Friction, Parameter, Problem
 
 
 @record
@@ -372,7 +372,7 @@ def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution)
     separate = _with_own_coefficients(solution.problem)
     if separate is None or not stated:
         return ""
-    solved = _by_contacts(Identical(solution))
+    solved = _by_contacts(Identical(solution), not stated[0].equation)
     common = separate[1]
     limits = [] if solved is None else list(_limits(solved, rest=not stated[0].equation))
     for friction, own, mu in common:
@@ -395,7 +395,7 @@ def explained_by_arms(stated: Sequence[StatedCondition], solution: Solution) -> 
     empty if not."""
     rough = {f.on: f for f in reversed(solution.problem.forces) if isinstance(f, Friction) and f.at is not None}
     moved = _movable(solution.problem)
-    solved = _by_arms(Identical(solution)) if moved and stated else None
+    solved = _by_arms(Identical(solution), not stated[0].equation) if moved and stated else None
     if solved is None:
         return ""
     limits = list(_limits(solved, rest=not stated[0].equation))
@@ -424,22 +424,27 @@ def _movable(problem: Problem) -> tuple[AppliedForce, ...]:
 
 
 @lru_cache(maxsize=8)
-def _by_arms(same: Identical) -> Solution | None:
+def _by_arms(same: Identical, rest: bool) -> Solution | None:
     problem: Problem = same.solution.problem
     moved = {f.name: f for f in _movable(problem)}
     forces = tuple(moved.get(f.name, f) for f in problem.forces)
     parameters = (*problem.parameters, Parameter(_SHIFT, assume=Assumption.REAL))
-    return _solved_again(replace(problem, parameters=parameters, forces=forces, answers=None))
+    return _solved_again(replace(problem, parameters=parameters, forces=forces, answers=None), rest)
 
 
 @lru_cache(maxsize=8)
-def _by_contacts(same: Identical) -> Solution | None:
+def _by_contacts(same: Identical, rest: bool) -> Solution | None:
     separate = _with_own_coefficients(same.solution.problem)
-    return None if separate is None else _solved_again(separate[0])
+    return None if separate is None else _solved_again(separate[0], rest)
 
 
-def _solved_again(problem: Problem) -> Solution | None:
-    """The solution of a changed problem; None if there is none within the work allowed."""
+def _solved_again(problem: Problem, rest: bool) -> Solution | None:
+    """The solution of a changed problem; None if there is none within the work allowed.
+
+    rest  whether all conditions of rest are wanted: otherwise the limits are enough, which take a tenth of the time
+    """
+    if not rest and Find.IMPENDING in problem.find:
+        problem = replace(problem, find=(Find.IMPENDING,))
     try:
         with allowed_for("comparing answers", UNITS_OF_OTHER_CONTACTS):
             return solve(problem)

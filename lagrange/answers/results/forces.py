@@ -43,11 +43,18 @@ RATIOS = tuple(sp.Rational(p, q) for p, q in ((2, 1), (1, 2), (3, 2), (2, 3), (3
 _NUMBER = "only a number is wrong in it: the force is {} times as large"
 
 
-def explained_force(equation: sp.Expr, candidate: ReferenceCandidate, reference: Reference) -> str:
+def explained_force(
+    equation: sp.Expr, candidate: ReferenceCandidate, reference: Reference, *, moving: bool = False
+) -> str:
     """What the stated force is, in a sentence; empty if the equation states none, or that is not found.
 
-    An equation with accelerations is one of motion, and no value of a force.
+    An equation with accelerations is one of motion, and no value of a force; `moving`: then forces that it has
+    eliminated are tried.
     """
+    if moving and equation.free_symbols & {*candidate.configuration.slots.accelerations}:
+        from lagrange.answers.results.taken_forces import with_taken_forces
+
+        return with_taken_forces(equation, reference)
     forces = [s for s in equation.free_symbols if s in candidate.multipliers]
     slots = candidate.configuration.slots
     if len(forces) != 1 or equation.free_symbols & {*slots.accelerations}:

@@ -125,15 +125,20 @@ def wrong_dimension(claim: sp.Expr, units: Mapping[sp.Symbol, str], right: sp.Ex
 Inertias = Mapping[sp.Symbol, sp.Expr]
 
 
-def other_bodies(solution: Solution) -> tuple[Solution, list[tuple[str, Inertias]]] | None:
+def other_bodies(solution: Solution, question: str | None = None) -> tuple[Solution, list[tuple[str, Inertias]]] | None:
     """The problem solved with letters for its moments of inertia, and what these are in changed problems, each with
-    the end of a sentence; None if there are none with numbers in them, or it cannot be solved so."""
-    solved = _with_letters(Identical(solution))
+    the end of a sentence; None if there are none with numbers in them, or it cannot be solved so.
+
+    question  the one that is wanted, by its name; None if none is: each takes as long as the motion
+    """
+    solved = _with_letters(Identical(solution), question)
     return None if solved is None else (solved[0], list(_changes(solved[1])))
 
 
 @lru_cache(maxsize=8)
-def _with_letters(same: Identical) -> tuple[Solution, dict[str, tuple[sp.Symbol, sp.Expr]]] | None:
+def _with_letters(
+    same: Identical, question: str | None
+) -> tuple[Solution, dict[str, tuple[sp.Symbol, sp.Expr]]] | None:
     problem: Problem = same.solution.problem
     letters = {}
     bodies = []
@@ -145,7 +150,10 @@ def _with_letters(same: Identical) -> tuple[Solution, dict[str, tuple[sp.Symbol,
     if not letters or len(letters) > MOST_OTHER_BODIES:
         return None
     more = tuple(Parameter(j, Assumption.POSITIVE) for j, _ in letters.values())
-    changed = replace(problem, bodies=tuple(bodies), parameters=(*problem.parameters, *more), answers=None)
+    asked = tuple(q for q in problem.questions if q.name == question)
+    changed = replace(
+        problem, bodies=tuple(bodies), parameters=(*problem.parameters, *more), questions=asked, answers=None
+    )
     try:
         with allowed_for("comparing answers", UNITS_OF_OTHER_BODIES):
             return solve(changed), letters

@@ -242,6 +242,20 @@ def explained_by_free_fall(claim: sp.Expr, asked: Asked, candidates: Sequence[Re
     return ""
 
 
+def explained_as_motion(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """The changed problem whose equation of motion a stated acceleration is, in a sentence; empty if it is none."""
+    from lagrange.answers.models.search import explained
+
+    quantity = asked.question.quantity
+    for candidate in candidates:
+        if quantity not in candidate.configuration.slots.accelerations or asked.question.when:
+            continue
+        [found] = explained([candidate.read(quantity - claim)], [0], candidate.models)
+        if found is not None:
+            return found.sentence
+    return ""
+
+
 def explained_by_whole_weight(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
     """Whether a wrong limit follows from a normal force equal to the whole weight, in a sentence; empty if not."""
     quantity = asked.question.quantity
@@ -353,6 +367,22 @@ def _changed_problems(equation: sp.Expr, models: Models, empty: sp.Expr | None) 
 
 
 StateAndRates = Mapping[sp.Symbol, sp.Expr]
+
+
+def explained_as_change(stated: sp.Expr, right: Sequence[sp.Expr], of: sp.Expr, asked: Asked) -> str:
+    """Whether a value is by how much the quantity, or `of` a function of it, changes from the start, in a sentence."""
+    initial = {s.symbol: s.value for s in asked.initial}
+    start = of.xreplace(initial)
+    if of.free_symbols - {*initial} & {*asked.question.quantity.free_symbols} or start.has(asked.question.quantity):
+        return ""
+    try:
+        for value in right:
+            change = value - start
+            if is_zero(start) is False and any(is_zero(stated - way) is True for way in (change, -change)):
+                return "this is by how much it has changed since the start, and not its value"
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        pass
+    return ""
 
 
 def explained_instant(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:

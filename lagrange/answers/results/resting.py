@@ -73,7 +73,9 @@ _OTHER_FACTOR = "force with another factor"
 _LESS_LIKELY = (_OTHER_FACTOR, "force in the wrong equation")
 """At rest an arm is taken wrongly more often than a weight, and a force forgotten more often than reversed."""
 _ACTING_SOMEWHERE = (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE)
+_ELASTIC = (AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL)
 _INVERSE = {"twice as large": "half", "half as large": "twice"}
+_OTHER_SIZE = {"twice as large": "half as large", "half as large": "twice as large"}
 
 
 class Resting:
@@ -216,6 +218,9 @@ class Resting:
         clause = f"{variation.clause}, or acting at {size.split()[0]} the distance"
         if len(rest) == 1 and rest[0].kind in _ACTING_SOMEWHERE:
             clause = f"{clause}, or for {name_of(rest[0])} acting at {_INVERSE[size]} the distance"
+        elif rest and all(f.kind in _ELASTIC for f in rest):
+            names = " and ".join(map(name_of, rest))
+            clause = f"{clause}, or for {names} {_OTHER_SIZE[size]}"
         return replace(variation, clause=clause)
 
     def _driven(self, inertias: Sequence[Inertia]) -> bool:
@@ -279,6 +284,17 @@ class WrongEquilibria:
             ) and not self.resting.balanced(forces, {}):
                 return variation.clause
         return ""
+
+    def of_one_displacement(self, problem: Problem) -> str:
+        """The force whose virtual displacement is taken as a multiple, as the end of a sentence; empty if not found."""
+        from lagrange.answers.results.virtual_work import of_one_displacement
+
+        resting = self.resting
+        if len(self.rules) != 1 or len(resting.slots.coordinates) != 1 or resting.rows:
+            return ""
+        forces = [f for f in mechanics_of(resting.configuration, problem).forces if any(f.shares)]
+        rule = {**resting.values, **(self.rules[0] or {})}
+        return of_one_displacement(forces, rule) if {f.kind for f in forces} <= {*_ACTING_SOMEWHERE} else ""
 
     def of_differential(self, problem: Problem) -> str:
         """The term of a constraint whose derivative is wrong, in a sentence; empty if not found."""

@@ -13,7 +13,7 @@ reaction was found, and not in that of moments.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, product
 from typing import TYPE_CHECKING
@@ -21,9 +21,9 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.limits import MOST_CONDITION_TERMS
+from lagrange.answers.limits import MOST_CONDITION_TERMS, MOST_RESTING_FACTORS
 from lagrange.answers.models.forces import name_of
-from lagrange.answers.models.mechanics import Mechanics, Variation, written
+from lagrange.answers.models.mechanics import ForceShare, Mechanics, Variation, written
 from lagrange.core.vectors import Vector
 from lagrange.problem.model import Problem
 
@@ -84,6 +84,25 @@ def _sums(function: sp.Expr, problem: Problem, coordinates: set[sp.Symbol]) -> I
     terms = sp.Add.make_args(function)
     if len(terms) <= MOST_CONDITION_TERMS and {s for x in terms for s in x.free_symbols} & coordinates:
         yield terms
+
+
+def of_one_displacement(forces: Sequence[ForceShare], rule: Mapping[sp.Expr, sp.Expr]) -> str:
+    """Which of two forces that balance is taken to move by a multiple, as the end of a sentence; empty: neither.
+
+    rule  a wrong answer, with which their virtual work has the ratio −r:  r times as much would balance
+    """
+    if len(forces) != 2:
+        return ""
+    first, second = ((f.factor * f.shares[0]).xreplace(dict(rule)) for f in forces)
+    ratio = sp.cancel(sp.together(-_by_sines(first) / _by_sines(second))) if second != 0 else sp.S.Zero
+    if not ratio.is_Rational or ratio in (0, 1) or ratio < 0 or max(ratio.p, ratio.q) > MOST_RESTING_FACTORS:
+        return ""
+    one, other = (f"`{f.on[0]}`" for f in forces)
+    return f"with the displacement of {one} {1 / ratio} times as large as it is, or that of {other} {ratio} times"
+
+
+def _by_sines(e: sp.Expr) -> sp.Expr:
+    return e.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
 
 
 def in_one_equation_only(m: Mechanics) -> Iterator[Variation]:

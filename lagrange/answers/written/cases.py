@@ -116,13 +116,52 @@ class _Condition:
 def with_cases(text: str) -> str:
     """The text with the cases of opposite velocities in one equation; the same where there are none."""
     if len(text) <= MAX_ANSWER_CHARACTERS:
-        text = with_senses(text)
+        text = with_senses(_SIGN_OF_CASE.sub(_upper_sign, text))
     if not _MAYBE.search(text) or len(text) > MAX_ANSWER_CHARACTERS or not any(_conditions(text)):
         return text
     latex = "\\" in text
+    text = _NAMED_SIGN.sub(lambda m: _named_sign(m, latex), text)
     for step in (_calls, _environments, _signs, _lines):
         text = step(text, latex)
     return text
+
+
+_PLUS_MINUS = {"±": "∓", "∓": "±", "\\pm": "\\mp", "\\mp": "\\pm"}
+_SIGN_OF_CASE = re.compile(
+    r"(?P<both>[±∓]|\\pm(?![A-Za-z])|\\mp(?![A-Za-z]))(?P<term>[^\n;±∓]{1,120}?)(?P<opened>,?\s*(?:\\q?quad\s*)?(?:\\text\s*\{\s*)?\(\s*\$?)"
+    r"(?P<case>[+−-]|(?:lower|minus|plus)(?:\s+sign)?)\$?\s*(?:\\text\s*\{\s*)?(?P<where>if|for|when|where)(?P<first>[\s}][^,;\n()]{1,60}?)"
+    r"(?P<second>[,;]\s*(?:and\s+)?\$?(?:[+−-]|minus|plus|upper\s+sign|lower\s+sign)\$?\s*(?:if|for|when|where|otherwise|else)[^()\n]{0,60}?)?(?=\s*\))"
+)
+"""`± a (+ if x' < v)`, `∓ a (lower sign for x' > 0)`."""
+
+
+def _upper_sign(match: re.Match[str]) -> str:
+    """The same with the case of the upper sign, and with its signs exchanged where the lower one is described."""
+    upper = {"±": "+", "\\pm": "+", "∓": "-", "\\mp": "-"}[match["both"]]
+    case = match["case"].split()[0].lower().replace("−", "-").replace("plus", "+").replace("minus", "-")
+    both = match["both"] if case == upper else _PLUS_MINUS[match["both"]]
+    first = (
+        match["first"].replace("}", "", 1) if match["first"].count("}") > match["first"].count("{") else match["first"]
+    )
+    return f"{both}{match['term']}{match['opened']}upper sign {match['where']}{first}"
+
+
+_NAMED_SIGN = re.compile(
+    r"(?P<name>\\?[^\W\d_]{1,10})\s*=\s*(?P<value>[+−-]?\s*1)\$?,?\s*(?:\\text\s*\{\s*)?(?:for|if|when)\s*\}?\s*\$?(?P<where>[^,;\n=]{1,60}?)\$?"
+    r"(?:[,;]\s*|\s+)(?:and\s+)?(?:\$?(?P=name)\s*=\s*)?(?P<other>[+−-]?\s*1)\$?,?\s*(?:\\text\s*\{\s*)?"
+    r"(?:otherwise|else|(?:for|if|when)\s*\}?\s*\$?(?P<else>[^,;\n=.]{1,60}))\$?"
+)
+"""`s = +1 for x' < v and s = -1 for x' > v`."""
+
+
+def _named_sign(match: re.Match[str], latex: bool) -> str:
+    """The same as `s = sign(...)`, where the second case is the opposite of the first."""
+    where, second = _condition(match["where"]), _condition(match["else"]) if match["else"] else None
+    values = ["-" if match[g].lstrip()[0] in "-−" else "" for g in ("value", "other")]
+    if where is None or values[0] == values[1] or (match["else"] and (second is None or not where.opposite(second))):
+        return match[0]
+    closing = "$" if match[0].count("$") % 2 else " "
+    return f"{match['name']} = {values[0]}{where.sign(latex)}{closing}"
 
 
 def _conditions(text: str) -> Iterator[_Condition]:

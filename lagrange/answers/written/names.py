@@ -330,12 +330,12 @@ def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
 
 _VECTOR_R = re.compile(r"\\(?:vec|mathbf|boldsymbol|bm)\s*(?:\{\s*r\s*\}|\s*r(?![A-Za-z]))(?!\s*_)")
 """The position of the only particle: `\\vec r`."""
-_PRIMED = re.compile(r"[\s$&]*([A-Za-z](?:_?\w{1,8})?)['′]\s*&?=(?!=)")
+_PRIMED = re.compile(rf"[\s$&]*(\\?[A-Za-z](?:_?\w{{1,8}})?|[{''.join(GREEK)}])['′]\s*&?=(?!=)")
 
 
 def with_primed_names(answer: Sequence[Fragment], parameters: Collection[str]) -> Sequence[Fragment]:
     """`A' = A + m l²` with a constant A: A_prime as a separate name, wherever it occurs."""
-    names = {m[1] for f in answer if (m := _PRIMED.match(f.text)) and m[1] in parameters}
+    names = {m[1] for f in answer if (m := _PRIMED.match(f.text)) and GREEK.get(m[1], m[1].lstrip("\\")) in parameters}
     if not names:
         return answer
     pattern = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(map(re.escape, names))})['′](?!['′])")

@@ -451,9 +451,8 @@ class _Sorting:
                 continue
             if not self.values_are_asides and self._marks_a_coordinate(line, name):
                 return False
-            if applied not in ("", "^2") and self.scope.scalar(name) is not None:
-                continue
-            if (value := self._value_of(other)) is None:
+            known = self.scope.scalar(name) is not None and name not in self.reference.letters
+            if (known and applied not in ("", "^2")) or (value := self._value_of(other)) is None:
                 continue
             if kinematic and (isinstance(value, Vector) or not self._is_rate_of(value)):
                 continue
@@ -462,8 +461,8 @@ class _Sorting:
             else:
                 if name in self.declared and value.free_symbols.isdisjoint(self.scope.slots.velocities):
                     continue
-                known = sp.Symbol(name)
-                if known in value.free_symbols and self.scope.scalar(name) == known:
+                itself = sp.Symbol(name)
+                if itself in value.free_symbols and self.scope.scalar(name) == itself:
                     continue
                 undone = _UNDOING[applied]
                 if self.rounded or has_decimals(other.text):

@@ -50,7 +50,7 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     if rest.equations:
         words = plural(len(rest.equations), "One equation contains no reaction and no friction: rest requires",
                        "Some equations contain no reaction and no friction: rest requires")  # fmt: skip
-        lines = [Equation((e, ZERO)) for e in rest.equations]
+        lines = [Equation(pair) for pair in rest.relations]
         body += [prose(words), display(*lines, boxed=bool(rest.cases), detail=Detail.BRIEF)]
     if rest.open:
         words = " is not determined: the system is statically indeterminate. It can be at rest if "

@@ -82,16 +82,20 @@ def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ..
         if sign == 1:
             trivial.append(r)
             continue
-        is_cord = r.tension is not None and NORMAL_FORCES.isdisjoint(map(str, (r.force, r.symbol)))
-        called, verb = constraints_called([r.name]), "pull" if is_cord else "push"
+        is_normal = not NORMAL_FORCES.isdisjoint(map(str, (r.force, r.symbol)))
+        is_cord = r.tension is not None and not is_normal
+        # ρ ≤ l of a particle is that of a string, or of a circle round it: only names and `by` tell.
+        is_either = not is_cord and not is_normal and r.constraint.by is None and r.constraint.side == -1
+        called = constraints_called([r.name])
+        verb = "pull" if is_cord else "act to the permitted side" if is_either else "push"
         start = capital(called) if not place else called
         first: tuple[Part, ...] = (*place, ", " if place else "")
         if sign == -1:
-            opposite = "pushing" if is_cord else "pulling"
+            opposite = "pushing" if is_cord else "acting to the other side" if is_either else "pulling"
             words = f"{start} could hold contact only by {opposite}, which it cannot: there is no contact."
             blocks.append(prose(*first, words))
             continue
-        state = "stays taut" if is_cord else "stays in contact"
+        state = "stays taut" if is_cord else "acts" if is_either else "stays in contact"
         words = f"{start} can only {verb}: it {state} as long as "
         blocks.append(
             prose(

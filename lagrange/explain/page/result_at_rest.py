@@ -146,7 +146,7 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
     rest = view.at_rest
     bounds: list[set[Mathematics]] = []
     if rest is not None and rest.cases:
-        yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
+        yield from (Equation(pair) for pair in rest.relations)
         stated = [*_cases(strictest_cases(rest.cases, values))]
         yield from stated
         bounds = [{*e.sides} for e in stated]

@@ -44,7 +44,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.degenerate import LowestForm, UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
-from lagrange.mechanics.rewriting.factors import has_common_factor
+from lagrange.mechanics.rewriting.factors import has_common_factor, with_common_factor
 
 ZERO = sp.S.Zero
 
@@ -193,7 +193,7 @@ def _stated(equilibrium: Equilibrium) -> list[tuple[str, sp.Expr]]:
 
 def _shown(equilibrium: Equilibrium) -> Block:
     """The conditions, with a factor that several terms share before a bracket: cos θ [l (2Q − B) − 2b W] = 0."""
-    stated = ((label, min(e, sp.factor_terms(e), key=reading_length)) for label, e in _stated(equilibrium))
+    stated = ((label, min(e, with_common_factor(e), key=reading_length)) for label, e in _stated(equilibrium))
     return display(*(Equation((e, ZERO), label=label) for label, e in stated))
 
 

@@ -155,13 +155,15 @@ def rolling_contacts(frictions: Sequence[Friction], newton: Newton, original: Co
     contacts = []
     turning = {r.name for r in original.rotations}
     for f in frictions:
-        if f.on not in turning or f.at is None or f.surface_velocity is not None:
+        if f.on not in turning or f.at is None:
             continue
         reaction = rough_reaction(f, newton, original)
         opposite = other_side(f, frictions, reaction, original)
         slip = velocity_at(original, f.on, f.at)
         if opposite:
             slip = slip - velocity_at(original, opposite, f.at)
+        elif f.surface_velocity is not None:
+            slip = slip - f.surface_velocity
         if any(admitted.is_zero(c) is not True for c in slip.fixed().components):
             continue
         if f.static is None:

@@ -111,8 +111,7 @@ def single_force(
     acts      the forces and moments for λ = 1; None if they are not known
     rooted    the row as it is written, with √S = l where `row` has S = l²
     leads     whether only a part of the force is along ways that the coordinates leave
-    is_whole  whether these are all; a string also acts on the coordinate of a pulley without mass, x + p = L, and
-              has one tension all the same
+    is_whole  whether these are all; a string has one tension also where it runs over a pulley without mass, x + p = L
     """
     side, constant = constraint.side, constant_side(constraint, rooted, configuration.slots)
     leads = leads or acts is None or placed is None
@@ -120,9 +119,10 @@ def single_force(
         is_cord = rooted is row and (leads or by is Keeper.STRING)
         tension = _tension(keeping, by, acts, placed, configuration, constant, whole=is_cord)
         named = constraint.reaction != row.multiplier and is_called_string(row.name)
+        written = keeping if rooted.finite is None else rooted
         if tension is None and (rooted is not row or by is Keeper.STRING or named):
-            tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
-        if tension is None and (share := share_of_polygon(rooted, constant, configuration.slots)) is not None:
+            tension = _tension(written, by, acts, None, configuration, constant, whole=True)
+        if tension is None and (share := share_of_polygon(written, constant, configuration.slots)) is not None:
             tension = SingleForce(ForceKind.TENSION, share)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension

@@ -180,6 +180,8 @@ class Arrivals:
         initial, moving = self.setting.initial, {*self.setting.place.moving}
         start = {t: sp.S.Zero, **initial}
         values = [e.xreplace(start) for e in (self.quantity - b.values[0], *self.when)]
+        if any(e.has(sp.nan, sp.zoo) for e in values):  # x'/y' of what starts from rest
+            return False
         return all(e.free_symbols.isdisjoint(moving) and is_zero(e) is True for e in values)
 
     def _is_terminal(self, state: SymbolValues) -> bool:

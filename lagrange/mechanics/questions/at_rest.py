@@ -26,6 +26,7 @@ from itertools import pairwise
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import NeverPositiveError, conditions_for, positive_part, sign_on
 from lagrange.algebra.closed_forms.polynomial_roots import numerator
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
@@ -41,6 +42,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
+from lagrange.mechanics.questions.forms import joined_conditions, settled
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.ranges import in_ranges
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted
@@ -129,6 +131,7 @@ def _answer(
     kept = [b for b in (in_ranges(b, configuration, values) for b in elimination.branches) if b is not None]
     if question.quantity.is_positive:  # √(μ g/r) for a speed of rotation that the file takes to be positive
         kept = [b for b in kept if not b.values or any(sign_of(v) != -1 for v in b.values)]
+    kept = [b for b in (_where_pressed(b, reactions) for b in kept) if b is not None]
     kept, opposite = _without_opposite(question.quantity, kept, equations)
     kept = _with_places(kept, configuration.slots.coordinates)
     if elimination.never or (elimination.solved and not elimination.free and not kept):
@@ -164,6 +167,39 @@ def _answer(
         dropped=tuple((b, Reason.OPPOSITE) for b in opposite) if elimination.solved else (),
         verified=elimination.verified,
     )
+
+
+def _where_pressed(branch: AnswerBranch, reactions: Sequence[Reaction]) -> AnswerBranch | None:
+    """The branch with the conditions under which what is one-sided presses or pulls there; None if it cannot.
+
+    The edge of a kerb presses on a wheel of radius r with R = W r/(r − h): there is no such position for h > r.
+    """
+    forces = [r.single.factor * r.multiplier for r in reactions if r.constraint.side is not None and r.single]
+    known = [positive_part(c) for c in branch.conditions if c.relation in "<>"]
+    found: list[tuple[SignCondition, ...]] = []
+    states = []
+    for state in branch.states:
+        there = [shortest_form(f.xreplace(dict(state))) for f in forces]
+        asked = [f for f in there if f.free_symbols.isdisjoint(state) and sign_of(f) not in (0, 1)]
+        try:
+            found.append(conditions_for(asked, known) or ())
+        except NeverPositiveError:
+            continue
+        states.append(state)
+    if branch.states and not states:
+        return None
+    branch = branch.at(states)
+    if not found or not found[0] or any(set(f) != set(found[0]) for f in found):
+        return branch
+    pressing = [replace(c, relation={">": "≥", "<": "≤"}.get(c.relation, c.relation)) for c in found[0]]
+    conditions = settled(joined_conditions((*branch.conditions, *pressing)), branch.rhs)
+    above = [positive_part(c) for c in conditions if c.relation in "<>"]
+    weaker = [c for c in conditions if c.relation in "≤≥" and sign_on(_not_negative(c), above) in (0, 1)]
+    return replace(branch, conditions=tuple(c for c in conditions if c not in weaker))
+
+
+def _not_negative(c: SignCondition) -> sp.Expr:
+    return c.lhs - c.rhs if c.relation == "≥" else c.rhs - c.lhs
 
 
 def _with_places(branches: list[AnswerBranch], coordinates: Sequence[sp.Symbol]) -> list[AnswerBranch]:

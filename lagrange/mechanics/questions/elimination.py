@@ -58,7 +58,7 @@ def eliminated(
     called: sp.Expr,
 ) -> Eliminated:
     """The quantity where all equations, each zero, hold; `called` is what stands on the left of its values."""
-    given, equations = _substituted(equations, unknowns)
+    given, equations = _substituted(_with_differences(equations, unknowns), unknowns)
     if any(is_zero(e) is False for e in equations if e.free_symbols.isdisjoint(unknowns) and not _may_vanish(e)):
         return Eliminated(never=True, solved=True)
     wanted = quantity.xreplace(given)
@@ -158,6 +158,22 @@ def _substituted(
         else:
             break
     return given, waiting
+
+
+def _with_differences(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> Sequence[sp.Expr]:
+    """The equations where one of them gives a difference of unknowns that is in logarithms: log(y − x) as log d."""
+    logs = {f for e in equations for f in e.atoms(sp.log, sp.exp) if len(f.free_symbols & {*unknowns}) > 1}
+    for e in equations if logs else ():
+        slopes = {u: e.diff(u) for u in unknowns if u in e.free_symbols}
+        if len(slopes) < 2 or not all(c.is_number for c in slopes.values()):
+            continue
+        u, c = next(iter(slopes.items()))
+        rule = {f: f.xreplace({u: sp.expand(u - e / c)}) for f in logs}
+        known = {f: x.func(sp.expand(x.args[0])) for f, x in rule.items() if isinstance(x, sp.log | sp.exp)}
+        known = {f: x for f, x in known.items() if x.free_symbols.isdisjoint(unknowns)}
+        if known:
+            return [f.xreplace(known) for f in equations]
+    return equations
 
 
 def _value(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Symbol, sp.Expr] | None:

@@ -37,3 +37,32 @@ def test_the_part_of_the_velocity_is_named(problem: str, equations: list[str], s
     judgement = examiner(problem).check(tuple(map(Fragment.of, equations)))
     assert judgement.verdict is Verdict.WRONG
     assert all(said in e.diagnosis for e in judgement.each)
+
+
+CHANGED = [
+    (
+        "turning-parabola",
+        ["(1 + 4*c^2*rho^2)*rho'' + 8*c^2*rho*rho'^2 + (2*g*c - Omega^2)*rho = 0"],
+        "without what the product rho'^2 in T contributes to dT/dq",
+    ),
+    (
+        "blade-from-a-lagrangian",
+        ["x'' = g*cos(phi)^2", "y'' = g*sin(phi)*cos(phi)", "phi'' = 0"],
+        "if d/dt of the constraint `blade` is carried out for the velocities alone",
+    ),
+]
+
+
+@pytest.mark.parametrize(("problem", "equations", "said"), CHANGED)
+def test_a_part_of_a_derivative_is_named(problem: str, equations: list[str], said: str) -> None:
+    judgement = examiner(problem).check(tuple(map(Fragment.of, equations)))
+    assert any(said in e.diagnosis for e in judgement.each)
+
+
+def test_a_model_without_the_force_of_the_rod_explains_no_factor_of_it() -> None:
+    """With r·r'' = 0 for the rod between two free particles its force vanishes: any factor of it would do."""
+    stated = [f"m1*{q}1'' = lambda_rod*({q}1 - {q}2)" for q in "xy"] + ["m1*z1'' = lambda_rod*(z1 - z2) - m1*g"]
+    stated += [f"m2*{q}2'' = lambda_rod*({q}1 - {q}2)" for q in "xy"] + ["m2*z2'' = lambda_rod*(z1 - z2) - m2*g"]
+    said = [e.diagnosis for e in examiner("ex14-two-particles").check(tuple(map(Fragment.of, stated))).each]
+    assert said[:2] == [f"Only half of the reaction of `rod` is there in the equation of {q}1." for q in "xy"]
+    assert said[3] == "Only half of the reaction of `rod` is there, with the wrong sign, in the equation of x2."

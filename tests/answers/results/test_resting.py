@@ -20,7 +20,7 @@ WRONG: list[Row] = [
     ("beads-on-hoop", "equilibrium", ["tan(theta/2) = (m_1 - m_2)/(m_1 + m_2)*tan(beta)"], "theta/2 in place of theta"),
     ("three-weights", "equilibrium", ["2*P*b/sqrt(b^2 + y^2) = W"], "y and b exchanged, the two legs"),
     ("three-weights", "equilibrium", ["y = b*sqrt(4*P^2 - W^2)/W"], "the other way round"),
-    ("lazy-tongs", "equilibrium", ["P*tan(theta) = W"], "its right side has to be multiplied by 3"),
+    ("lazy-tongs", "equilibrium", ["P*tan(theta) = W"], "the displacement of `foot` 3 times as large as it is"),
     ("masses-on-springs", "equilibrium", ["c_1*x_1 = m_1*g", "x_2 = m_2*g/c_2"], "without the weight of `B` in the"),
     (
         "hill-moon",

@@ -16,6 +16,10 @@ from tests.answers.results.diagnoses import Row, assert_explained, diagnoses
 from tests.support.shared import loaded, solved
 
 RESULTS: list[Row] = [
+    ("loop-the-loop", "ask", {"least_height": "3*R"}, "the square of the velocity there is half as large"),
+    ("ladder-leaves-the-wall", "ask", {"leaves": "cos(theta) = cos(alpha)/3"}, "by how much it has changed since"),
+    ("escape-from-a-planet", "ask", {"escape_speed": "sqrt(K/R)"}, "as from a kinetic energy without its 1/2"),
+    ("raindrop", "ask", {"acceleration": "x'' = g"}, "without the reactive force on `drop`"),
     ("leaving-a-sphere", "ask", {"speed": "sqrt(2*g*R)"}, "this is the value where theta = pi/2"),
     ("ballistic-pendulum", "ask", {"swing": "cos(theta) = 1 - m*v^2/(2*(M + m)*g*l)"}, "to be conserved in the impact"),
     ("swinging-atwood", "reactions", {"string": "F = 2*M*m*g/(M + m)"}, "the reaction at rest where theta = 0"),

@@ -171,3 +171,18 @@ def test_what_a_surface_needs_is_said_once() -> None:
     found = shared.reported("slider-crank", complete=False)
     words = " ".join(terminal.text(found.derivation, found.notation, 200).split())
     assert words.count("contact lasts as long as the surface pushes") == 1
+
+
+def test_what_keeps_a_radius_small_may_pull_or_push(problem: Read) -> None:
+    """ρ ≤ l − b with a force T: a string, or a circle around; with `by`, or a force N, it is one of them."""
+    text = (
+        "title: T\nparameters: [m, l, b, g]\ncoordinates: [rho, theta]\naxes: {{i: right, j: up}}\n"
+        "particles: {{P: {{mass: m, position: rho*sin(theta)*i - rho*cos(theta)*j}}}}\n"
+        "constraints: {{c: {{equation: rho <= l - b, reaction: {force}{by}}}}}\ngravity: -g*j\n"
+        "generalized_coordinates: {{angle: {{coordinates: [theta]}}}}\n"
+    )
+    said = {("T", ""): "only act to the permitted side", ("N", ""): "only push", ("T", ", by: surface"): "only push"}
+    for (force, by), words in said.items():
+        explained = report(problem(text.format(force=force, by=by)))
+        page = " ".join(terminal.text(explained.derivation, explained.notation, 120).split())
+        assert f"The c constraint can {words}: it" in page

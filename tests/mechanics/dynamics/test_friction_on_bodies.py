@@ -173,3 +173,54 @@ def test_a_slip_in_another_direction_than_the_velocity(problem: Read) -> None:
     with pytest.raises(ProblemError, match="does not slip along"):
         solve(problem(text.replace("DIRECTION", "i")))
     assert solve(problem(text.replace("DIRECTION", "i + j")))
+
+
+PULLED_PLANK = """title: Cylinder that rolls on a plank on ice
+parameters: [m, M, R, P, g, mu, mu_s]
+coordinates: [X, x, y, theta]
+particles: {plank: {mass: M, position: X*i}}
+bodies: {cylinder: {mass: m, inertia: m*R^2/2, position: x*i + y*j, angle: theta}}
+constraints:
+  top: {equation: y >= R, reaction: N}
+  rolling: {equation: "x' + R*theta' = X'", reaction: F, by: rolling}
+gravity: -g*j
+forces:
+  pull: {on: plank, vector: P*i}
+  rub: {friction: mu, static: mu_s, constraint: top, on: cylinder, at: r_cylinder - R*j, surface_velocity: "X'*i"}
+"""
+
+
+def test_what_rolls_on_a_surface_of_given_velocity_does_not_slip(problem: Read) -> None:
+    """(M + m/3) X'' = P, as the cylinder follows with X''/3; F = m x'' and |F| <= mu_s m g."""
+    read = problem(PULLED_PLANK)
+    solution = solve(read)
+    m, M, P, g, mu_s = (read.scope.scalars[n] for n in ("m", "M", "P", "g", "mu_s"))
+    rolling = solution.own.rolling
+    assert rolling is not None
+    [[condition]] = rolling.cases
+    numbers = {m: 3, M: 2, P: 18, g: 10}
+    at_limit = sp.Rational(18, 10 * (3 * 2 + 3))
+    assert (condition.left - condition.right).xreplace({**numbers, mu_s: at_limit}) == 0
+
+
+BRAKE = """title: Lever that brakes a wheel on a fixed axle
+parameters: [I, r, b, c, l, P, mu]
+coordinates: [theta, x, y, phi]
+bodies:
+  wheel: {mass: 0, inertia: I, position: "b*i - (c + r)*j", angle: -theta}
+  lever: {mass: 0, inertia: 0, position: x*i + y*j, angle: phi}
+constraints:
+  O: r_lever = 0
+  contact: {equation: "dot(r_lever - r_wheel, e2_lever) - c >= r", reaction: N}
+forces:
+  press: {on: lever, vector: -P*j, at: r_lever + l*e1_lever}
+  rub: {friction: mu, constraint: contact, on: lever, at: r_wheel + r*e2_lever, slip: -e1_lever}
+"""
+
+
+def test_friction_acts_on_a_wheel_that_only_turns(problem: Read) -> None:
+    """About O: N b + mu N c = P l, and the wheel has I theta'' = -mu N r."""
+    values: dict[str, object] = {"I": 12, "r": 3, "b": 4, "c": 5, "l": 7, "P": 100, "mu": sp.Rational(1, 2)}
+    values |= dict.fromkeys(("x", "y", "phi", "theta", "x'", "y'", "phi'", "theta'"), 0)
+    turned = accelerations(solved(problem, BRAKE), values)["theta''"]
+    assert abs(turned + sp.Rational(1, 2) * 700 / sp.Rational(13, 2) * 3 / 12) < 1e-20

@@ -656,3 +656,27 @@ def test_a_string_between_two_particles_that_share_a_coordinate(problem: Read, e
     assert reaction.single is not None
     # Squared, as x² = r² admits x = −r, where the tension is the same.
     assert configuration.states.is_zero(reaction.row.coefficients[0] ** 2 - 4 * reaction.single.factor**2)
+
+
+TAPE = """
+title: Cylinder that slides down while a tape unwinds, kept as a condition on velocities of its points
+coordinates: [x, y, theta]
+parameters: [m, R, g, mu]
+bodies: {cyl: {mass: m, inertia: m*R^2/2, position: x*i + y*j, angle: theta}}
+constraints:
+  incline: {equation: y >= R, reaction: N}
+  tape: {equation: "dot(r_cyl' + cross(omega_cyl, R*j), i) = 0", reaction: T, by: string}
+gravity: 3*g/5*i - 4*g/5*j
+forces: {rub: {friction: mu, constraint: incline, on: cyl, at: r_cyl - R*j, slip: i}}
+ask: {a: {quantity: "x''", when: t = 0}, tension: {quantity: T, when: t = 0}}
+"""
+
+
+def test_a_string_kept_by_velocities_alone(problem: Read) -> None:
+    """Newton along the incline and moments about the axis: |T| = m g (sin α + μ cos α)/3, and the rest accelerates."""
+    read = problem(TAPE)
+    a, tension = (q.branches[0].rhs for q in solve(read).asked)
+    numbers = {read.scope.scalars[n]: v for n, v in {"m": 8, "R": 1, "g": 10, "mu": sp.Rational(1, 5)}.items()}
+    force = sp.Rational(8 * (6 + 8 / sp.Integer(5)), 3)
+    assert abs(tension.xreplace(numbers)) == force
+    assert a.xreplace(numbers) == 6 - sp.Rational(8, 5) - force / 8

@@ -125,3 +125,34 @@ def test_a_positive_parameter_has_no_negative_value() -> None:
     [branch] = asked.branches
     mu, g, r = sp.symbols("mu g r", positive=True)
     assert branch.rhs.equals(sp.sqrt(mu * g / r))
+
+
+KERB = """
+title: Wheel before a kerb
+parameters: [W, r, h]
+unknowns: [P]
+coordinates: [x, y, theta]
+bodies: {wheel: {inertia: 0, position: x*i + y*j, angle: theta}}
+constraints:
+  kerb: {equation: norm(r_wheel - h*j) >= r, reaction: R}
+  ground: {equation: y >= r, reaction: N}
+forces:
+  weight: {on: wheel, vector: -W*j}
+  pull: {on: wheel, vector: P*i}
+find: equilibrium
+ask:
+  lift: {quantity: P, when: N = 0}
+  pressure: {quantity: R, when: N = 0}
+"""
+
+
+def test_an_edge_that_would_have_to_pull_is_no_answer() -> None:
+    """About the edge, P (r - h) = W sqrt(r^2 - (r - h)^2); R = W r/(r - h) presses only where the axle is above it."""
+    problem = read_problem(Source("kerb.yaml", KERB))
+    W, r, h = (problem.scope.scalars[n] for n in ("W", "r", "h"))
+    lift, pressure = solve(problem).asked
+    assert len(lift.branches) == 2
+    for b in (*lift.branches, *pressure.branches):
+        assert b.excluded_by({r: sp.Integer(2), h: sp.Integer(3)})
+        assert not b.excluded_by({r: sp.Integer(5), h: sp.Integer(2)})
+    assert pressure.branches[0].rhs.xreplace({W: 6, r: 5, h: 2}) == 10

@@ -144,3 +144,13 @@ def test_a_repulsion_does_not_bring_two_bodies_together(problem: Read) -> None:
     text = STARS.replace("-G*m*M", "G*m*M") + "ask: {time: {quantity: t, when: y = x}}\n"
     [asked] = solve(problem(text), complete=False).asked
     assert not asked.answered
+
+
+def test_a_force_as_the_inverse_distance_and_the_ratio_of_two_velocities(problem: Read) -> None:
+    """(m M/(m + M)) u²/2 = C log 2 at half the distance; the velocities are as the other masses, from rest too."""
+    text = STARS.replace("-G*m*M/(y - x)", "G*log(y - x)")
+    text += 'ask: {speed: {quantity: "x\'", when: y - x = d/2}, ratio: {quantity: "x\'/y\'", when: y - x = d/2}}\n'
+    m, M, G = (sp.Symbol(n, positive=True) for n in ("m", "M", "G"))
+    [speed], [ratio] = (a.branches for a in solve(problem(text), complete=False).asked)
+    assert is_zero(speed.rhs**2 - 2 * M * G * sp.log(2) / (m * (m + M))) is True
+    assert is_zero(ratio.rhs + M / m) is True

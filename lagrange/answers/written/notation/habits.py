@@ -101,10 +101,11 @@ _RATE_AT_IN_LINE = re.compile(
 )
 _INSIDE = r"(?!\\\\|\\(?:text|q?quad|end|\])|[=$\n;])."
 _RATE_AT = re.compile(
-    rf"(?P<rate>{_RATE}(?:{_INSIDE}){{1,160}}?)(?:\\[,;:! ]|\\q?quad|~|\s)*\\text\{{\s*\(?{_AT}(?:\s+the\s+(?:equilibrium|position))?\s*\}}"
+    rf"(?P<rate>{_RATE}(?:{_INSIDE}){{1,160}}?)(?:\\[,;:! ]|\\q?quad|~|\s)*"
+    rf"\\text\{{\s*\(?{_AT}(?:\s+the\s+(?:equilibrium|position))?\s*\}}"
     rf"(?P<place>(?:{_INSIDE}){{1,40}}=(?:{_INSIDE}){{1,60}}?)(?:\\text\{{\s*\)\s*\}}|(?<![\w}})])\))?(?=\s*(?:[,.]?\s*(?:\\\\|\\(?:text|q?quad|end|\])|[$\n;])|,|\.?\s*\Z))"
 )
-"""The place where a frequency holds, after it: `$\\omega^2 = g/R$ at $\\theta = 0$`, `\\omega = a \\text{ at } \\theta = 0`."""
+"""The place of a frequency after it: `$\\omega^2 = g/R$ at $\\theta = 0$`, `\\omega = a \\text{ at } \\theta = 0`."""
 _RADIANS = re.compile(r"(?<=[0-9])(?P<unit>\s?rad)(?![A-Za-z/^])(?=[\s.,;)]|\Z)")
 """The unit of an angle after a number, which is 1."""
 _NO_NAMES = "arcsin arccos arctan ln sgn to is of and or by at in for the with so are as eq case dt"

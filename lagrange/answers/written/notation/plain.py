@@ -156,6 +156,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     _derivatives(draft, scope)
     _displacements(draft, scope)
     draft.apply(of_argument(draft.text, scope))
+    draft.replace(_RUN_WITH_POWER, lambda m: _divisor(m, scope))
     draft.replace(_RUN, lambda m: _product(m, scope))
     return draft.finished()
 
@@ -507,11 +508,17 @@ def of_argument(text: str, scope: Scope, *, bare: bool = False) -> Iterator[Edit
 
 
 def _by_index(text: str, name: str, arguments: Sequence[str], scope: Scope) -> Iterator[Edit]:
-    """`f_x` as diff(f, x), where f is a function of x."""
+    """`f_x` as diff(f, x), where f is a function of x; as diff(f, X) where it is one of X in a problem with x."""
+    coordinates = {q.name for q in scope.slots.coordinates}
     for argument in arguments:
         if scope.role(f"{name}_{argument}") is not Role.UNDECLARED or argument == "t":
             continue
-        index = rf"(?:{re.escape(argument)}(?![A-Za-z0-9_])|\{{\s*{re.escape(argument)}\s*\}})"
+        written = re.escape(argument)
+        if argument.isupper() and argument.lower() not in arguments and argument.lower() in coordinates:
+            written = f"[{argument}{argument.lower()}]"  # of f(X, Y, Z), which is taken at (x, y, z)
+            if scope.role(f"{name}_{argument.lower()}") is not Role.UNDECLARED:
+                continue
+        index = rf"(?:{written}(?![A-Za-z0-9_])|\{{\s*{written}\s*\}})"
         for match in re.finditer(rf"(?<![A-Za-z0-9_\\]){re.escape(name)}_{index}", text):
             yield match.start(), match.end(), f"diff({name}, {argument})"
 
@@ -525,6 +532,17 @@ def _word_at(text: str, match: re.Match[str]) -> str:
 
 
 # Products
+
+
+_RUN_WITH_POWER = re.compile(r"(?<=/)(?P<space> ?)(?P<run>[A-Za-z]{2,4})(?P<power>\s*(?:\^\s*[2-4]|[²³⁴]))(?![\w^])")
+"""A run of letters with a power under a bar, `/ml^2`."""
+
+
+def _divisor(match: re.Match[str], scope: Scope) -> str | None:
+    """`a/ml^2` as a/(m*l^2): what stands without a space after the bar is under it."""
+    run = re.match(r"[A-Za-z]+", match["run"])
+    written = _product(_RUN.match(match["run"]), scope) if run else None  # type: ignore[arg-type]
+    return f"{match['space']}({written.strip('()')}{match['power']})" if written else None
 
 
 def _product(match: re.Match[str], scope: Scope) -> str | None:

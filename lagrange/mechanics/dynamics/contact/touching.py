@@ -79,12 +79,14 @@ def relative_partials(configuration: Configuration, on: str, opposite: str, plac
 
 
 def named_beside(constraint: Constraint, name: str, configuration: Configuration) -> list[str]:
-    """What else a constraint mentions besides a body and what moves, though the constraint exerts no force on it: a
-    plank that only slides, in dot(r_ball - r_plank, j) >= R.
+    """What else a constraint mentions besides a body and what moves, though the constraint does no work on it: a
+    plank that only slides, in dot(r_ball - r_plank, j) >= R, or a wheel that only turns about its fixed axle.
     """
     span = constraint.span
     positions = set(re.findall(r"(?<!\w)r_(\w+)", span.source.text[span.start : span.end]))
-    moving = (p.name for p in configuration.points if any(not moved.is_zero for moved in p.partials))
+    partials = [(m.name, m.partials) for m in configuration.points]
+    partials += [(m.name, m.partials) for m in configuration.rotations]
+    moving = dict.fromkeys(m for m, moved in partials if not all(v.is_zero for v in moved))
     return [other for other in moving if other != name and other in positions]
 
 

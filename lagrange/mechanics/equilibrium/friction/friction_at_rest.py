@@ -26,6 +26,7 @@ from itertools import islice, permutations, product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.effort import GivenUpError, allowed_for_a_search
 from lagrange.core.records import all_hold, record
@@ -79,6 +80,8 @@ from lagrange.mechanics.equilibrium.loads import load_parameters
 from lagrange.problem.keys import Find
 from lagrange.problem.model import Friction, Problem
 
+Pair = tuple[sp.Expr, sp.Expr]
+
 
 @record
 class AtRest:
@@ -120,6 +123,12 @@ class AtRest:
         return self.configuration.name
 
     @property
+    def relations(self) -> tuple[Pair, ...]:
+        """The conditions that are equations, as left = right, solved for a coordinate or its sine where that is so."""
+        coordinates = {*self.configuration.slots.coordinates}
+        return tuple(_relation(e, coordinates) for e in self.equations)
+
+    @property
     def friction(self) -> dict[str, tuple[sp.Expr, ...]]:
         """The components of each friction force that is determined, by name."""
         unknown = {*self.open}
@@ -128,6 +137,31 @@ class AtRest:
             for c in self.contacts
             if all(self.forces[f].free_symbols.isdisjoint(unknown) for f in c.components)
         }
+
+
+def _relation(e: sp.Expr, coordinates: set[sp.Symbol]) -> Pair:
+    """e = 0 as left = right: sin φ = 8/3 sin α for R W (3 sin φ − 8 sin α)/8 = 0, tan φ = a/b for b sin φ = a cos φ.
+
+    Without numbers and positive parameters as factors. It is solved only where what it is divided by has a sign.
+    """
+    factors = sp.Mul.make_args(sp.factor(e))
+    reduced = sp.Mul(*(f for f in factors if not f.is_number and not (f.is_positive and f.is_Symbol)))
+    if not coordinates & reduced.free_symbols:
+        return reduced, sp.S.Zero
+    waves = sorted((w for w in reduced.atoms(sp.sin, sp.cos) if w.args[0] in coordinates), key=str)
+    moving = waves or sorted(coordinates & reduced.free_symbols, key=str)
+    dummies = [sp.Dummy() for _ in moving]
+    linear = sp.expand(reduced.xreplace(dict(zip(moving, dummies, strict=True))))
+    rates = [linear.diff(d) for d in dummies]
+    constant = linear.xreplace(dict.fromkeys(dummies, sp.S.Zero))
+    if coordinates & linear.free_symbols or any(r.free_symbols & {*dummies} for r in rates):
+        return reduced, sp.S.Zero
+    if len(moving) == 1 and sign_of(rates[0]) in (1, -1):
+        return moving[0], shortest(-constant / rates[0])
+    pair = len(waves) == 2 and waves[0].args == waves[1].args and constant == 0
+    if pair and sign_of(rates[1]) in (1, -1):  # the cosine comes before the sine
+        return sp.tan(waves[1].args[0]), shortest(-rates[0] / rates[1])
+    return reduced, sp.S.Zero
 
 
 def rough_contacts(

@@ -63,6 +63,11 @@ class Rolling:
     forces: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     @property
+    def relations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+        """The conditions that are equations, as left = right."""
+        return tuple((e, sp.S.Zero) for e in self.equations)
+
+    @property
     def friction(self) -> dict[str, tuple[sp.Expr, ...]]:
         """|F|, by the name of the friction."""
         return {c.friction.name: (c.size,) for c in self.contacts}

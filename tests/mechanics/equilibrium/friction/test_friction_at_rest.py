@@ -209,3 +209,34 @@ answers: {rest: ["s <= mu*L*tan(theta)"]}
 def test_named_points_of_a_body_are_no_particles(problem: Read) -> None:
     written = in_json.as_object(report(problem(MAN)))
     assert [a["verdict"] for a in written["answers"]] == ["equivalent"]
+
+
+BOWL = """title: Hemisphere with its curved side on an incline
+parameters: {W: positive, R: positive, alpha: acute, mu: positive}
+coordinates: [x, y, phi]
+let:
+  n: -sin(alpha)*i + cos(alpha)*j
+  O: r_H + 3/8*R*e2_H
+bodies: {H: {position: "x*i + y*j", angle: phi, inertia: 0}}
+constraints: {plane: {equation: "dot(O, n) >= R", reaction: N}}
+forces:
+  weight: {on: H, vector: LOAD}
+  rub: {friction: mu, static: mu, constraint: plane, on: H, at: O - R*n}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("load", "condition"),
+    [
+        ("-W*j", "sin(phi) = 8*sin(alpha)/3"),  # the weight passes through the contact, R sin α beside the centre
+        ("-W*j - 2*W*i", None),  # sines and cosines of φ, and a constant: left as it is
+    ],
+)
+def test_a_position_of_rest_is_solved_for_its_angle(problem: Read, load: str, condition: str | None) -> None:
+    rest = in_json.as_object(report(problem(BOWL.replace("LOAD", load))))
+    conditions = [c for c in rest["rest"]["conditions"] if " = " in c]
+    if condition is None:
+        assert [c.endswith("= 0") for c in conditions] == [True]
+    else:
+        assert [c.replace(" ", "") for c in conditions] == [condition.replace(" ", "")]
