@@ -190,7 +190,10 @@ class Supports:
             at = self.system.page(plus(self.pose.at(p.position), point))
             if held:
                 bearing(self.system, self.sketch, p, reaction, at, self.down)
-                if not BEAM.search(self.system.text) and all(apart(at, other) > SAME_ON_PAGE for other in self.mounts):
+                here = known.at[reaction.name]
+                pinned = sum(math.dist(here, other) < SAME_ON_PAGE for other in known.at.values()) > 1
+                new = all(apart(at, other) > SAME_ON_PAGE for other in self.mounts)
+                if pinned and new and not BEAM.search(self.system.text):
                     self.mounts.append(at)
                 continue
             force, _ = force_and_moment(self.pose, reaction, p.name)

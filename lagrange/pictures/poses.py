@@ -205,6 +205,13 @@ def _given(problem: Problem, expressions: Sequence[sp.Expr], configuration: Conf
     values = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
     moments = [moment for r in configuration.rotations for moment in r.inertia.moments]
     used = set().union(*(e.free_symbols for e in (*expressions, *moments))) if expressions else set()
+    places = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
+    places += [c for p in configuration.points for c in p.position.fixed().components]
+    loads = [c for f in configuration.loads for c in f.vector.fixed().components]
+    sizes = {s for c in loads for s in c.free_symbols} - {s for c in places for s in c.free_symbols}
+    for s in values.keys() & sizes:  # a force of 1e20 N has a direction; its size is not drawn
+        if values[s] and not 1e-3 < abs(values[s]) < 1e3:
+            values[s] = math.copysign(1.0, values[s])
     lengths = {p.symbol: abs(values[p.symbol]) for p in problem.parameters if p.symbol in values and p.unit == "m"}
     lengths = {s: v for s, v in lengths.items() if s in used and v > 0}
     bare = any(a.is_Number and a != 0 for e in expressions for a in sp.Add.make_args(e) if e.is_Add)

@@ -282,6 +282,8 @@ class SystemPicture:
                     start, end = here, here + 2 * math.pi
                     if not self.is_round:
                         continue
+                elif at_rest:
+                    continue
                 steps = (start + (end - start) * n / 96 - here for n in range(97))
                 places = [self.pose.moved(q, s).at(p.position) for s in steps]
                 first, second = (minus(places[n], places[0]) for n in (30, 60))

@@ -11,6 +11,7 @@ from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.limits import MOST_UNEQUAL
 from lagrange.pictures.poses import Pose, general_pose
 from tests.support.drawings import DRAWN, evaluated, system_of
+from tests.support.figure_sheet import figures_of
 
 
 @pytest.mark.parametrize("name", DRAWN)
@@ -109,3 +110,13 @@ def test_a_thin_axle_under_a_long_string_is_seen() -> None:
     assert pose is not None
     values = {s.name: v for s, v in pose.values.items()}
     assert values["L"] / values["r"] == pytest.approx(MOST_UNEQUAL)
+
+
+def test_a_satellite_of_the_earth_is_drawn_though_the_force_has_large_numbers() -> None:
+    text = (
+        "title: Satellite\nparameters: {m: 500 kg, K: 398600 km^3/s^2}\ncoordinates: [r, phi]\n"
+        "frame: {type: polar, coordinates: [r, phi]}\nparticles: {satellite: {mass: m, position: r*e_r}}\n"
+        "forces: {earth: {on: satellite, vector: -K*m/r^2*e_r}}\n"
+    )
+    [scene, *_] = figures_of(kinematics_and_law(lagrange.loads(text)))
+    assert scene.dots
