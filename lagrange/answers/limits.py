@@ -427,5 +427,9 @@ SAME_ANGLE = 1e-9
 
 MOST_SHEETS = 16
 """Choices of one factor from each unsolved equation of an answer; one surface is sampled for each."""
+
 HIGHEST_EXPANSION = 6
 """The lowest power that an expansion may neglect, `+ O(theta^6)`, for its terms to be compared."""
+
+MOST_WRITTEN_OUT = 24
+"""Fractions, roots and lists of cases of Typst and LibreOffice that are written out in one text."""

@@ -28,7 +28,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
 from lagrange.mechanics.questions.closed_motions import FromStart
-from lagrange.mechanics.questions.forms import under_one_root
+from lagrange.mechanics.questions.forms import rate_of, under_one_root
 from lagrange.mechanics.questions.results import (
     AnswerBranch,
     Asked,
@@ -256,7 +256,7 @@ def _as_modulus(v: sp.Expr, sign: int) -> tuple[sp.Expr, int]:
 def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr], quantity: sp.Expr) -> Iterator[Block]:
     """The velocity, and between which places its inverse is integrated; for a distance q q'/q'' over q'."""
     q, speed, start, end = integrand
-    v = sp.Add(*(q.diff(s) * prime(s) for s in q.free_symbols)) if q.is_Add else sp.Symbol(f"{q}'", real=True)
+    v = rate_of(q)
     yield prose("This gives")
     yield display(Equation((v, speed)))
     if quantity != t:

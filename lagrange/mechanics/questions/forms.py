@@ -12,10 +12,15 @@ from lagrange.algebra.closed_forms.shortest_form import with_whole_contents, wit
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
-from lagrange.core.symbols import sign_in_range, without_known_magnitudes
+from lagrange.core.symbols import prime, sign_in_range, without_known_magnitudes
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, Substituted
 from lagrange.problem.model import Problem
+
+
+def rate_of(q: sp.Expr) -> sp.Expr:
+    """The velocity of a coordinate, or the rate of a sum of coordinates: x_2' - x_1' of the distance x_2 - x_1."""
+    return sp.Add(*(q.diff(s) * prime(s) for s in q.free_symbols)) if q.is_Add else sp.Symbol(f"{q}'", real=True)
 
 
 def under_one_root(e: sp.Expr) -> sp.Expr:

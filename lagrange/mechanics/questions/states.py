@@ -18,6 +18,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
+from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
@@ -34,7 +35,7 @@ from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.equilibrium.friction.balance import held_coordinates
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_ANGLES, MOST_TOGETHER
-from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem, Question
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem, Question, Range
 
 SymbolValues = Mapping[sp.Symbol, sp.Expr]
 Senses = Mapping[sp.Expr, int]
@@ -350,7 +351,7 @@ def initial_state(place: MotionView, problem: Problem, others: Sequence[Configur
     finite = [_at_start(f) for f in configuration.finite_constraints]
     placed = [e for e, v in conditions if not v.symbol.name.endswith("'")]
     whole = bool(configuration.expressed) and configuration.expressed.keys() <= given.keys()
-    known |= _positions([*finite, *placed], coordinates, known, one_position=whole)
+    known |= _positions([*finite, *placed], coordinates, known, configuration.ranges, one_position=whole)
     rows = [_at_start(r.velocity_form(configuration.slots)) for r in configuration.rows]
     moved = [e for e, v in conditions if v.symbol.name.endswith("'")]
     known |= _velocities([e.xreplace(known) for e in (*rows, *moved)], velocities, known)
@@ -391,9 +392,14 @@ def _from_choices(
 
 
 def _positions(
-    equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], known: SymbolValues, *, one_position: bool = False
+    equations: Sequence[sp.Expr],
+    coordinates: Sequence[sp.Symbol],
+    known: SymbolValues,
+    ranges: Mapping[sp.Symbol, Range],
+    *,
+    one_position: bool = False,
 ) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates determined by the equations and the known coordinates.
+    """The coordinates determined by the equations and the known coordinates, within their ranges.
 
     one_position  all solutions are names of one position, r and θ or −r and θ + π: the simplest is taken
     """
@@ -407,12 +413,18 @@ def _positions(
         solved = solutions(open_, unknown)
     except (NotAlgebraicError, DivisionByZeroError):
         return {}
-    branches = [b for b in solved.branches if not b.special]
+    branches = [b for b in solved.branches if not b.special and not any(_is_beyond(r, ranges) for r in b.relations)]
     if any(b.left for b in branches) or (len(branches) != 1 and not (one_position and branches)):
         return {}
     values = [{r.lhs: r.rhs for r in b.relations if r.lhs in unknown} for b in branches]
     values = [{s: e for s, e in v.items() if not e.free_symbols & {*unknown}} for v in values]
     return min(values, key=_size_of_position)
+
+
+def _is_beyond(value: Relation, ranges: Mapping[sp.Symbol, Range]) -> bool:
+    """Whether a value of a coordinate is certainly outside its range: the bar hangs below its supports, z > 0."""
+    limits = ranges.get(value.lhs)
+    return limits is not None and -1 in (sign_of(value.rhs - limits.low), sign_of(limits.high - value.rhs))
 
 
 def _angles_seen(equations: Sequence[sp.Expr], unknown: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:

@@ -6,7 +6,9 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.core.symbols import prime
 from lagrange.mechanics.questions.forms import (
+    rate_of,
     settled,
     under_one_root,
     with_factors,
@@ -107,3 +109,9 @@ def test_no_condition_beside_a_stronger_one() -> None:
     turned = SignCondition(h, "≤", g)
     assert without_weaker([weak, strong, turned, strong]) == (strong,)
     assert without_weaker([weak]) == (weak,)
+
+
+def test_the_rate_of_a_coordinate_and_of_a_distance() -> None:
+    a, b = sp.symbols("a b", real=True)
+    assert rate_of(a) == prime(a)
+    assert rate_of(b - a) == prime(b) - prime(a)

@@ -124,3 +124,20 @@ def test_a_position_by_the_angles_that_the_file_gives(problem: Read) -> None:
     [branch] = asked(problem, text).branches
     values = {s: {"b": sp.Rational(1, 3), "g": 10, "R": 2}[s.name] for s in branch.rhs.free_symbols}
     assert float(branch.rhs.subs(values)) ** 2 == pytest.approx(20 * math.cos(1 / 3) / math.tan(1 / 3))
+
+
+def test_the_range_of_a_coordinate_tells_where_a_constraint_holds_it_at_first(problem: Read) -> None:
+    """x² + z² = l² has z = ± √(l² − x²) at x = l/2: below, and the speed at the lowest point is that of the fall."""
+    text = """title: Pendulum
+axes: {i: right, k: down}
+parameters: [m, l, g]
+coordinates: {x: across, z: {meaning: depth, range: [0, l]}}
+particles: {P: {mass: m, position: x*i + z*k}}
+constraints: {rod: {equation: x^2 + z^2 = l^2, reaction: T}}
+gravity: g*k
+initial: {x: l/2, x': 0}
+ask: {fast: {quantity: "x'^2", when: x = 0}}
+"""
+    [branch] = asked(problem, text).branches
+    l, g = (sp.Symbol(n, positive=True) for n in ("l", "g"))
+    assert is_zero(branch.values[0] - 2 * g * l * (1 - sp.sqrt(3) / 2)) is True

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 
+from lagrange.answers.limits import MOST_WRITTEN_OUT
 from lagrange.expressions.edits import closings
 
 _COMMAND = re.compile(r"\\[A-Za-z]")
@@ -58,7 +59,7 @@ def _from_typst(text: str) -> str:
     text = _T_SPACE.sub(lambda m: m["before"] or " ; ", text)
     text = _T_INDEX.sub(r"_\1", text)
     text = _T_INDEX_OF_RATE.sub(r"\g<rate>\g<index>)", text)
-    for _ in range(_NESTED):
+    for _ in range(MOST_WRITTEN_OUT):
         matches = [*_T_GROUPS.finditer(text)]
         if not matches:
             break
@@ -120,8 +121,6 @@ _S_OPERAND = re.compile(r"\(|[^\W_]\w*(?:'{0,3})(?:\s*\^\s*\w+)?")
 _S_ALONE = re.compile(r"\w+'*|[d∂](?:\^\(?2\)?)?\s*(?:\w+'*(?:\s*\^\s*\(?2\)?)?)?")
 _S_OPERATOR = re.compile(r"[d∂](?:\^2|\s*\w{1,12})?\s*\Z")
 _S_STACK = re.compile(r"(?<!\w)(?:stack|binom|matrix)(?=\s*\{)|(?<!#)#(?!#)")
-_NESTED = 24
-"""How many fractions, roots and lists of cases are written out in one text."""
 
 
 def _from_starmath(text: str) -> str:
@@ -132,7 +131,7 @@ def _from_starmath(text: str) -> str:
     text = _S_RATE.sub(_rate_of_starmath, text)
     text = _S_STACK.sub(lambda m: "\n" if m[0] == "#" else "", text)
     text = text.replace("`", " ").replace("~", " ").translate({ord("{"): "(", ord("}"): ")"})
-    for _ in range(_NESTED):
+    for _ in range(MOST_WRITTEN_OUT):
         match = _S_OVER.search(text)
         if match is None:
             break
