@@ -545,9 +545,19 @@ def _without_weaker(conditions: Sequence[SignCondition]) -> list[SignCondition]:
     kept = list(range(len(conditions)))
     for n in range(len(conditions)):
         others = [k for k in kept if k != n]
-        if any(sign_of(sp.expand(above[n] - above[k])) in (0, 1) for k in others):
+        known = [above[k] for k in others]
+        if any(sign_of(sp.expand(above[n] - p)) in (0, 1) for p in known) or (known and _is_implied(above[n], known)):
             kept = others
     return [conditions[k] for k in kept]
+
+
+def _is_implied(e: sp.Expr, known: Sequence[sp.Expr]) -> bool:
+    """Whether the factors of e show that it is positive where others are: (a − b) (a − 2b) where a > 2b."""
+    sign = 1 if count_operations(e) <= LARGEST_FACTORED else 0
+    for f in sp.Mul.make_args(sp.factor(e)) if sign else ():
+        above = [s for s in (1, -1) if any(sign_of(sp.expand(s * f - p)) in (0, 1) for p in known)]
+        sign *= above[0] if above else sign_of(f) or 0
+    return sign == 1
 
 
 def positive_part(c: SignCondition) -> sp.Expr:

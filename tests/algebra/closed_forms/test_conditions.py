@@ -176,3 +176,12 @@ def test_the_sign_where_others_are_positive() -> None:
     assert sign_on(b - a, [a - b]) == -1
     assert sign_on(a - b, []) is None
     assert sign_on(sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1, []) == 0
+
+
+def test_a_product_is_implied_by_its_factors() -> None:
+    """(l - R) (l - 2R) > 0 follows from l > 2R, with both signs of the factors; (l - R) (l - 3R) > 0 does not."""
+    beyond = (condition(l, ">", 2 * R),)
+    assert conditions_for([sp.expand((l - R) * (l - 2 * R)), l - 2 * R], []) == beyond
+    assert conditions_for([sp.expand((R - l) * (2 * R - l)), l - 2 * R], []) == beyond
+    assert len(conditions_for([sp.expand((l - R) * (l - 3 * R)), l - 2 * R], []) or ()) == 2
+    assert len(conditions_for([sp.expand((l - R) * (l - P)), l - 2 * R], []) or ()) == 2
