@@ -40,7 +40,8 @@ NO_LIMITS = {
     "special/orbits": {"_AXES"},
     # sizes of drawings and of letters
     "document/scene": {"MARGIN"},
-    "pictures/blocks": {"HIGH", "WIDE"},
+    "pictures/blocks": {"BOARD", "HIGH", "WIDE"},
+    "implied/body_shapes": {"_NEUTRAL", "_RIM"},
     "pictures/coordinate_drawings": {"ARC"},
     "pictures/free_bodies": {"LARGEST", "LARGEST_WHEEL", "LENGTH"},
     "pictures/bearings": {"_CORNERS", "_SLOT"},
