@@ -129,19 +129,40 @@ def test_conditions_that_are_shown_hold_where_a_pivot_vanishes(text: str) -> Non
 
 
 def test_what_forces_at_a_given_position_presuppose_and_how_they_are_written() -> None:
-    """The moment of the supports of a bridge is a multiple of cos θ; ½ is not divided by, but 2 multiplied by."""
+    """The moment of the supports of a bridge is a multiple of cos θ; ½ is left out of it, and of no other condition."""
     found = solved("lorry-on-a-bridge").own.equilibrium
     assert found is not None
     theta = sp.Symbol("theta", real=True)
     assert found.presupposed == (sp.cos(theta),)
-    assert relations(found) == [{"P": "B/2 + W*(-b/l + 1)", "Q": "(B*l + 2*W*b)/(2*l)"}]
-    words = [
+    assert relations(found) == [{"P": "B/2 + W*(-b/l + 1)", "Q": "B/2 + W*b/l"}]
+    words = words_about(found)
+    assert "For a given position, where …, this determines … and …:" in words
+    assert any(w.endswith("must vanish (without the factor …):") for w in words)
+
+
+def words_about(found: Equilibrium) -> list[str]:
+    """The sentences about virtual work, `…` for each formula in them."""
+    return [
         "".join(part if isinstance(part, str) else "…" for part in block.parts)
         for block in explain_virtual_work(found, None).body
         if isinstance(block, Prose)
     ]
-    assert "For a given position, where …, this determines … and …:" in words
-    assert any(w.endswith("must vanish (multiplying by …):") for w in words)
+
+
+def test_a_half_is_not_divided_by_but_two_multiplied_by() -> None:
+    found = solve(
+        read("""
+title: Weight on two soft springs
+parameters: [k, W]
+coordinates: [x]
+particles: {P: {position: x*i}}
+forces: {load: {on: P, vector: W*i}, springs: {potential: k*x^2/4}}
+find: equilibrium
+""")
+    ).own.equilibrium
+    assert relations(found) == [{"x": "2*W/k"}]
+    assert found is not None
+    assert any(w.endswith("must vanish (multiplying by …):") for w in words_about(found))
 
 
 def test_several_degrees_of_freedom() -> None:
