@@ -14,6 +14,7 @@ resembles the name, the declared names are listed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import field
@@ -47,6 +48,9 @@ RESERVED = frozenset({"t", "pi", *FUNCTIONS, *OPERATIONS, *ALWAYS_UNITS})
 """Names that a file cannot declare."""
 
 _CONSTANTS = {"t": t, "pi": sp.pi}
+_OF_BODIES = re.compile(r"(?:e[123]|omega)_.")
+_ENERGIES = ("T_kinetic", "energy")
+"""What no problem file declares itself: axes and angular velocities of bodies, energies in questions."""
 
 
 @record
@@ -185,7 +189,8 @@ def help_for_symbol(name: str, scope: Scope) -> str:
         return f"a quantity of its own goes under `parameters` of the problem file; or did you mean `{near}`?"
     if near:
         return f"did you mean `{near}`?"
-    declared = [f"`{n}`" for n in names if n not in RESERVED]
+    own = (n for n in names if n not in (*RESERVED, *_ENERGIES) and not (n in scope.vectors and _OF_BODIES.match(n)))
+    declared = [f"`{n}`" for n in own]
     if len(declared) > MAX_LISTED:
         declared[MAX_LISTED:] = ["..."]
     return f"the declared names are {', '.join(declared)}" if declared else "no symbol is declared here"

@@ -90,3 +90,17 @@ def test_keys_of_forces_as_one_might_guess_them(forces: str, cure: str) -> None:
     with pytest.raises(lagrange.ProblemError) as found:
         lagrange.loads(FREE + bodies + f"forces: {{one: {forces}}}\n")
     assert cure in found.value.show()
+
+
+def test_names_that_the_program_adds_are_not_offered() -> None:
+    """A question may use `omega_drum`, `e1_drum` and `energy`; who forgot to declare `v` is told the names of the file."""
+    text = """title: a
+coordinates: [theta]
+parameters: [m, R, omega_1]
+bodies: {drum: {mass: m, inertia: m*R^2, position: 0*i, angle: theta}}
+initial: {theta: 0, theta': zzz}
+"""
+    with pytest.raises(lagrange.ProblemError) as found:
+        lagrange.loads(text)
+    names = found.value.show().partition("the declared names are ")[2].split("\n")[0]
+    assert names == "`theta`, `m`, `R`, `omega_1`, `r_drum`"
