@@ -204,3 +204,17 @@ def constraint_of_constant_direction(m: Mechanics) -> Iterator[Variation]:
             f"if d/dt of the constraint {names} is carried out for the velocities alone, not for their coefficients"
         )
         yield Variation(clause, f"the derivative of the constraint {names}", replace(m, is_steady=True))
+
+
+def square_differentiated_without_its_two(m: Mechanics) -> Iterator[Variation]:
+    """λ x in place of 2 λ x for the constraint x² + y² = l², where the equations keep the multiplier."""
+    rows = m.configuration.rows
+    for j, row in enumerate(rows) if m.multipliers and len(rows) == len(m.multipliers) else ():
+        entries = [a for a in row.coefficients if a != 0]
+        if not all(sp.factor_terms(a).as_coeff_Mul()[0] % 2 == 0 for a in entries) or row.nonlinear is not None:
+            continue
+        halved = replace(row, coefficients=tuple(a / 2 for a in row.coefficients), drift=row.drift / 2)
+        constrained = replace(m.configuration.constrained, rows=(*rows[:j], halved, *rows[j + 1 :]))
+        what = f"the reaction of {called(row.name)}"
+        clause = f"with only half of {what}, as if its squares were differentiated without the 2"
+        yield Variation(clause, what, replace(m, configuration=replace(m.configuration, constrained=constrained)))

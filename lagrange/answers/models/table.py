@@ -72,6 +72,7 @@ MODELS = (
     Model("force on what is carried", forces.on_what_is_carried),
     Model("moving surface taken as fixed", kinematics.surface_at_rest),
     Model("energy of a spring or potential without its half", forces.energy_doubled),
+    Model("square in a constraint differentiated without its 2", composed.square_differentiated_without_its_two),
     Model("one half left out", kinetic.half_left_out),
     Model("force at the end for the middle", forces.at_the_end),
     Model("force with another factor", forces.force_doubled),
