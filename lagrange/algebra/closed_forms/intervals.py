@@ -51,11 +51,7 @@ def enclosure(e: sp.Expr, box: Mapping[sp.Symbol, Interval]) -> Interval:
     if e.is_Rational:
         return outward(int(e.p) / int(e.q), int(e.p) / int(e.q))
     if e.is_Add:
-        low = high = 0.0
-        for a in e.args:
-            x, y = enclosure(a, box)
-            low, high = outward(low + x, high + y)
-        return low, high
+        return _sum(*(enclosure(a, box) for a in e.args))
     if e.is_Mul:
         whole = (1.0, 1.0)
         for a in e.args:
@@ -90,12 +86,16 @@ def square_root(x: Interval) -> Interval:
 def product(a: Interval, b: Interval) -> Interval:
     """All products of their numbers."""
     ends = [0.0 if x == 0 or y == 0 else x * y for x in a for y in b]
-    return outward(min(ends), max(ends))
+    low, high = outward(min(ends), max(ends))
+    if (a[0] >= 0 and b[0] >= 0) or (a[1] <= 0 and b[1] <= 0):
+        low = max(low, 0.0)
+    return low, high
 
 
 def total(a: Interval, b: Interval) -> Interval:
-    """All sums of their numbers."""
-    return math.nextafter(a[0] + b[0], -math.inf), math.nextafter(a[1] + b[1], math.inf)
+    """All sums of their numbers. A sum that comes out as 0 is 0: x² + y² does not become negative, and has a root."""
+    low, high = a[0] + b[0], a[1] + b[1]
+    return math.nextafter(low, -math.inf) if low else 0.0, math.nextafter(high, math.inf) if high else 0.0
 
 
 def scaled(number: float, a: Interval) -> Interval:
@@ -175,10 +175,10 @@ def _operation(e: sp.Basic) -> Callable[..., Interval] | None:
 
 
 def _sum(*parts: Interval) -> Interval:
-    low, high = parts[0]
-    for a, b in parts[1:]:
-        low, high = math.nextafter(low + a, -math.inf), math.nextafter(high + b, math.inf)
-    return low, high
+    whole = parts[0]
+    for p in parts[1:]:
+        whole = total(whole, p)
+    return whole
 
 
 def _whole_product(*parts: Interval) -> Interval:

@@ -97,3 +97,10 @@ def test_a_program_has_no_value_where_a_part_of_the_box_has_none(e: sp.Expr) -> 
 def test_a_sine_of_a_wide_interval_is_anything() -> None:
     assert IntervalProgram([sp.sin(x)], [x]).at([(-1.0, 9.0)]) == [(-1.0, 1.0)]
     assert IntervalProgram([sp.sin(x)], [x]).at([(1e9, 1e9)]) == [(-1.0, 1.0)]
+
+
+def test_a_sum_of_squares_is_not_negative() -> None:
+    """Its root has a value in a box around the origin, and on its edge."""
+    program = IntervalProgram([sp.sqrt(x**2 + y**2), sp.sqrt(x * y)], [x, y])
+    assert [v is not None and v[0] for v in program.at([(-1.0, 1.0), (-1.0, 1.0)])] == [0, False]
+    assert [v is not None and v[0] for v in program.at([(0.0, 1.0), (0.0, 1.0)])] == [0, 0]
