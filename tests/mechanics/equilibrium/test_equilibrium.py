@@ -505,7 +505,7 @@ def singular(text: str) -> list[tuple[list[str], tuple[str, ...]]]:
     ("text", "places", "kept"),
     [
         (SPRING_ON_CIRCLE, [(["theta = 0"], ("tie",))], [{"theta": "pi"}, {"cos(theta)": "329/361"}]),
-        (STRAIGHT_SPRING, [(["x = 0"], ("tie",))], [{"x": "(F + k*l)/k"}, {"x": "(F - k*l)/k"}]),
+        (STRAIGHT_SPRING, [(["x = 0"], ("tie",))], [{"x": "F/k + l"}, {"x": "F/k - l"}]),
         (POLE, [(["theta = pi"], ())], [{"theta": "0"}, {}]),
     ],
 )
