@@ -329,8 +329,8 @@ rational = [1 / (l**2 + y**2), sqrt(l**2 + y**2), 1 / (m + M * sin(theta) ** 2),
 quick = settings(deadline=None, max_examples=examples(40))
 
 
-def sums(factors: list[sp.Expr]) -> st.SearchStrategy[sp.Expr]:
-    products = st.lists(st.sampled_from(factors), max_size=5).map(lambda fs: sp.Mul(*fs))
+def sums(factors: list[sp.Expr], most: int = 5) -> st.SearchStrategy[sp.Expr]:
+    products = st.lists(st.sampled_from(factors), max_size=most).map(lambda fs: sp.Mul(*fs))
     brackets = st.lists(products, max_size=3).map(lambda ps: sp.Add(*ps))
     return st.builds(lambda p, q, s: p * q + s, brackets, brackets, products)
 
@@ -384,7 +384,7 @@ def test_the_form_of_a_quotient_of_double_angles_is_its_own_form(expression: sp.
 
 
 @quick
-@given(sums(atoms))
+@given(sums(atoms, 3))  # SymPy multiplies out: ten factors with sums of angles have a million terms
 def test_equal_expressions_have_one_form(expression: sp.Expr) -> None:
     assert textbook_form(sp.expand(expression, trig=True)) == textbook_form(expression)
 
