@@ -110,7 +110,7 @@ def system(key: str) -> Reference:
                 "(M+m)*x'' - m*l*theta''*cos(theta) + m*l*theta'^2*sin(theta)=0",
                 "l*theta'' - x''*cos(theta) + g*sin(theta) = 0",
             ],
-            "x",
+            "theta",  # as well as x: a reader takes an angle the other way sooner than a distance
             Turn.REVERSED,
         ),
     ],
