@@ -47,7 +47,7 @@ demo: $(VENV)/python
 	@echo "README.md goes on from there."
 
 # The slow tests that `make test` runs: a fortieth of them, another one every day; `make test PART=3` says which, and
-# `make test PART=1 PARTS=3`, as in .ci/run, takes a third of them and of the shipped problems.
+# `make test PART=1 PARTS=4`, as in .ci/run, takes a quarter of them and of the shipped problems.
 PART ?= today
 PARTS ?= 40
 PYTEST = $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
