@@ -25,7 +25,7 @@ from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.floats import FloatVector, NoValueError, plus
 from lagrange.pictures.limits import LONGEST_ROD_LABEL
 from lagrange.pictures.loads import as_words
-from lagrange.pictures.poses import Pose, angle_mark, distance_marks, relative_angle_mark
+from lagrange.pictures.poses import Pose, angle_mark, distance_marks, relative_angle_mark, stands_still
 from lagrange.pictures.shapes import has_one_direction, plane_rotation
 from lagrange.pictures.sketch import apart, farthest, in_line, overlapping, same_ends, touches, toward
 from lagrange.pictures.systems import SystemPicture
@@ -352,14 +352,8 @@ class Elements:
         lengths = [self.cells.scalar(x) for x in shape.lengths]
         match shape.kind:
             case Outline.DISC | Outline.RING:
-                self.add(
-                    "disc",
-                    p=c,
-                    r=lengths[0],
-                    a=-1 if planar else axis,
-                    s=2 if shape.kind is Outline.DISC else 1,
-                    c="body",
-                )
+                filled = 2 if shape.kind is Outline.DISC else 1
+                self.add("disc", p=c, r=lengths[0], a=-1 if planar else axis, s=filled, c="body")
                 if shape.kind is Outline.RING:
                     self.add("disc", p=c, r=lengths[0], a=-1 if planar else axis, s=1, c="body", f=0.93)
             case Outline.ROD:
@@ -367,9 +361,8 @@ class Elements:
                 self.add("capsule", p=[self.at(a), self.at(b)], w=0.09)
                 self.take(a, b)
             case Outline.BOX:
-                self.add(
-                    "box", p=c, a=e1 if shape.axis is None else axis, b=e2, w=lengths, x=int(shape.axis is not None)
-                )
+                given = shape.axis is not None
+                self.add("box", p=c, a=axis if given else e1, b=e2, w=lengths, x=int(given))
             case Outline.SPHERE:
                 self.add("sphere", p=c, r=lengths[0])
             case Outline.CONE:
@@ -419,7 +412,14 @@ class Elements:
             is_known = rolls or reaction.name in known.at
             if force is None or moment is None or moment.is_zero or at is None or not is_known:
                 continue
-            if has_one_direction(self.system.pose, reaction, p.name):
+            together = known.together_with(reaction.name)
+            if len(together) > 1 and stands_still(
+                self.system.pose, at
+            ):  # a hinge, and not a floor and a wall through it
+                if reaction.name == together[0]:
+                    self.add("dot", p=self.at(at), r=0.06, o=1)
+                    self.support(at)
+            elif has_one_direction(self.system.pose, reaction, p.name):
                 self.add("rest", p=self.at(at), v=self.at(force), c=self.at(p.position), x=int(rolls))
             elif rolls:
                 self.track(p, at)

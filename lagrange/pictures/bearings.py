@@ -49,8 +49,7 @@ def bearing(
     """What holds a point that cannot move: of a beam a wall where it cannot turn, a pin where two reactions act, a
     roller where one does; of anything else a hinge.
     """
-    known = system.shapes[p.name].at
-    here = [name for name, point in known.items() if math.dist(point, known[reaction.name]) < SAME_ON_PAGE]
+    here = system.shapes[p.name].together_with(reaction.name)
     if not BEAM.search(system.text):
         sketch.hinge(at)
         return
@@ -190,8 +189,7 @@ class Supports:
             at = self.system.page(plus(self.pose.at(p.position), point))
             if held:
                 bearing(self.system, self.sketch, p, reaction, at, self.down)
-                here = known.at[reaction.name]
-                pinned = sum(math.dist(here, other) < SAME_ON_PAGE for other in known.at.values()) > 1
+                pinned = len(known.together_with(reaction.name)) > 1
                 new = all(apart(at, other) > SAME_ON_PAGE for other in self.mounts)
                 if pinned and new and not BEAM.search(self.system.text):
                     self.mounts.append(at)

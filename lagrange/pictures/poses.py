@@ -367,6 +367,12 @@ def _from_beyond(pose: Pose, spring: StretchedSpring) -> float | None:
     return None
 
 
+def stands_still(pose: Pose, place: Vector) -> bool:
+    """Whether the constraints keep a place where it is: it is the same in all positions that are known."""
+    places = [x.at(place) for x in (pose, *pose.others)]
+    return all(math.dist(places[0], other) < SAME_PLACE for other in places)
+
+
 def _stays(pose: Pose, place: Vector) -> bool:
     return not place.fixed().as_sum().free_symbols & {*pose.coordinates}
 

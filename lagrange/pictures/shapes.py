@@ -17,7 +17,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, solved
-from lagrange.pictures.limits import SAME_SHAPE
+from lagrange.pictures.limits import SAME_ON_PAGE, SAME_SHAPE
 from lagrange.pictures.poses import Pose
 
 
@@ -33,6 +33,11 @@ class Shape:
     held: tuple[tuple[float, float], ...]
     radius: float
     at: dict[str, tuple[float, float]]
+
+    def together_with(self, reaction: str) -> list[str]:
+        """The reactions that act on the same point of the body as one of them, itself included."""
+        here = self.at.get(reaction)
+        return [] if here is None else [r for r, at in self.at.items() if math.dist(at, here) < SAME_ON_PAGE]
 
 
 @record
