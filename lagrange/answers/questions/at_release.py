@@ -38,8 +38,8 @@ def at_release(
     """The verdict on equations of motion, wrong ones judged at the initial state if the questions are about that.
 
     Without coordinates and velocities an equation that holds there is right. With coordinates it may be meant for all
-    of the motion, and is undecided; with velocities it is meant so. Equations are complete if all that is asked for at
-    the initial state follows.
+    of the motion, and is undecided, or wrong where other questions need the motion; with velocities it is meant so.
+    Equations are complete if all that is asked for at the initial state follows.
     """
     questions = [a.question for a in solution.asked]
     at_start = [q for q in questions if any(c.function in (t, -t) for c in q.when)]
@@ -136,6 +136,8 @@ def _judged(
             )
         elif not of_motion:
             parts.append(_right(part, _RESTATED))
+        elif used & coordinates and not all_there:  # other questions need it for all of the motion
+            parts.append(part)
         elif used & coordinates or not all_there:
             parts.append(replace(part, verdict=Verdict.UNDECIDED, diagnosis=_OPEN, hints=(), cause=""))
         else:
