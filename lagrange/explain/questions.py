@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import prime, t
 from lagrange.document.derivation import (
     Block,
@@ -26,6 +27,7 @@ from lagrange.document.derivation import (
     prose,
     series,
 )
+from lagrange.explain.limits import LONGEST_IN_TEXT
 from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
 from lagrange.mechanics.questions.closed_motions import FromStart
 from lagrange.mechanics.questions.forms import rate_of, under_one_root
@@ -338,7 +340,7 @@ def _answer(asked: Asked) -> Iterator[Block]:
     elif several and not all(b.conditions for b in asked.branches):
         yield prose("Which of these comes first depends on more than was decided here.")
     for b, because in asked.dropped:
-        yield prose(*_dropped(b, because))
+        yield prose(*_dropped(b, because, asked))
 
 
 def _angles(asked: Asked) -> Iterator[Math]:
@@ -410,29 +412,32 @@ def _has_velocities(asked: Asked) -> bool:
     return not all(s.name.endswith("'") or s.is_positive for s in asked.quantity.free_symbols)
 
 
-def _dropped(b: AnswerBranch, because: Reason) -> tuple[Part, ...]:
+def _dropped(b: AnswerBranch, because: Reason, asked: Asked) -> tuple[Part, ...]:
     equation = math(b.lhs, b.rhs)
+    opposite = any(kept.lhs == b.lhs and kept.rhs == -b.rhs for kept in asked.branches)
+    long = opposite and count_operations(b.rhs) > LONGEST_IN_TEXT  # as it stands above, but for the sign
+    solution: tuple[Part, ...] = ("The opposite value",) if long else ("The solution ", equation)
     match because:
         case Reason.INITIAL:
-            return ("The solution ", equation, " is the initial state itself.")
+            return (*solution, " is the initial state itself.")
         case Reason.ARRIVAL:
-            return ("The solution ", equation, " has the wrong sense: a coordinate that reaches a value for the first "
+            return (*solution, " has the wrong sense: a coordinate that reaches a value for the first "
                     "time moves towards it.")  # fmt: skip
         case Reason.TURNING:
-            return ("The solution ", equation, " lies on the other side: the motion begins in the opposite direction, "
+            return (*solution, " lies on the other side: the motion begins in the opposite direction, "
                     "and keeps it up to the first turning point.")  # fmt: skip
         case Reason.SENSE:
-            return ("The solution ", equation, " has the opposite sense, for which this equation of motion does "
+            return (*solution, " has the opposite sense, for which this equation of motion does "
                     "not hold.")  # fmt: skip
         case Reason.PAST:
-            return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
+            return (*solution, " lies before ", math(t, sp.S.Zero), ".")
         case Reason.OPPOSITE:
             return ("The equations contain ", math(b.lhs), " in even powers only, so that the opposite value ",
                     equation, " is possible as well.")  # fmt: skip
         case Reason.LATER:
-            return ("The solution ", equation, " comes later, if at all.")
+            return (*solution, " comes later, if at all.")
         case Reason.START:
-            return ("The solution ", equation, " does not begin with the initial state.")
+            return (*solution, " does not begin with the initial state.")
 
 
 def _unanswered(asked: Asked) -> tuple[Part, ...]:

@@ -60,3 +60,21 @@ def test_a_large_swing_takes_an_integral(problem: Callable[[str], Solution]) -> 
     assert "<msubsup><mo>∫</mo>" in html.render(page)
     [asked] = as_object(solved)["asked"]
     assert (asked["integral"]["over"], asked["integral"]["from"], "value" in asked) == ("theta", "0", False)
+
+
+GATE = """
+title: Gate held by a spring
+parameters: {m: positive, l: positive, k: positive, h: positive, g: positive}
+coordinates: [theta]
+bodies: {gate: {mass: m, inertia: m*l^2/12, position: l/2*cos(theta)*i - l/2*sin(theta)*j, angle: -theta}}
+gravity: -g*j
+forces: {spring: {spring: k, between: [l*cos(theta)*i - l*sin(theta)*j, l*i + h*j], length: h}}
+initial: {theta: 0, theta': 0}
+ask: {speed: {quantity: "theta'", when: "theta = pi/6"}}
+"""
+
+
+def test_a_long_value_is_not_repeated_with_the_other_sign(problem: Callable[[str], Solution]) -> None:
+    found = report(problem(GATE))
+    text = latex.render([(found.derivation, found.notation)])
+    assert "The opposite value has the wrong sense" in " ".join(text.split())
