@@ -204,12 +204,16 @@ class Solution:
 
 def with_known_values(solution: Solution, values: Values) -> Solution:
     """The solution without the conditions, for equilibria and for single answers, that the values fulfil."""
-    stated = [b.conditions for v in solution.views if v.equilibrium is not None for b in v.equilibrium.branches]
+    equilibria = (e for v in solution.views for e in (v.equilibrium, *(m.equilibrium for m in v.impending or ())))
+    stated = [b.conditions for e in equilibria if e is not None for b in e.branches]
     if not any(stated) and not any(b.conditions for a in solution.asked for b in a.branches):
         return solution
     from lagrange.mechanics.equilibrium.in_numbers import open_conditions, without_known_conditions
 
     def known(view: InCoordinates) -> InCoordinates:
+        if view.impending:
+            limits = (replace(m, equilibrium=without_known_conditions(m.equilibrium, values)) for m in view.impending)
+            view = replace(view, impending=tuple(limits))
         before = view.equilibrium
         if before is None or (after := without_known_conditions(before, values)) is before:
             return view

@@ -138,12 +138,14 @@ def not_negative(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCo
         if solved is not None:
             return [solved]
         if len(symbols) == 1 and group is wanted.forces:
-            collected = _collected(symbols[0], _homogeneous(sp.expand(reduced), signs))
+            collected = _collected(symbols[0], _homogeneous(sp.expand(reduced), signs), wanted.coefficients, signs)
             if collected is not None:
                 return [collected]
     written = _homogeneous(sp.expand(reduced), signs)
     for tangent in sorted(written.atoms(sp.tan), key=str):
-        collected = _collected(tangent, written) if _is_on_both_sides(tangent, written) else None
+        collected = (
+            _collected(tangent, written, wanted.coefficients, signs) if _is_on_both_sides(tangent, written) else None
+        )
         if collected is not None:
             return [collected]
     terms = sp.Add.make_args(written)
@@ -212,12 +214,16 @@ def _linear(symbol: sp.Expr, e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return rate, sp.expand(expanded - rate * symbol)
 
 
-def _collected(symbol: sp.Expr, e: sp.Expr) -> RestCondition | None:
-    """e ≥ 0 as A P ≤ B or B ≤ A P, the sign of A being unknown; None if it is not linear in P, or in tan θ."""
+def _collected(symbol: sp.Expr, e: sp.Expr, coefficients: Sequence[sp.Expr], signs: Signs) -> RestCondition | None:
+    """e ≥ 0 as A P ≤ B or B ≤ A P, the sign of A being unknown; None if it is not linear in P, or in tan θ.
+
+    Of A and −A that which is positive for little friction is written: B ≤ (cos β − μ sin β) P.
+    """
     rate, rest = _linear(symbol, e)
     if rest.has(symbol):
         return None
-    if rest.could_extract_minus_sign():
+    smooth = signs.of(rate.xreplace(dict.fromkeys(coefficients, sp.S.Zero)))
+    if smooth == 1 or (not smooth and rest.could_extract_minus_sign()):
         return RestCondition(sp.factor(-rest), sp.factor(rate) * symbol)
     return RestCondition(sp.factor(-rate) * symbol, sp.factor(rest))
 

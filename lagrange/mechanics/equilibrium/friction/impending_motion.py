@@ -271,7 +271,7 @@ def _at_limit(
         if None in verdicts and c.reaction.constraint.side is None and c.friction.contact is None:
             what = f"impending motion without the sign of the reaction of `{c.reaction.name}` (give `contact`),"
             raise NotCoveredError(what, c.friction.span)
-    resting = _where_pressed(resting, contacts, pressed, signs)
+    resting = _where_pressed(resting, contacts, pressed, signs, values)
     if not resting.branches:
         return None
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
@@ -388,7 +388,9 @@ def _limits_solved(
     """
     b = _coefficients_solved(b, resting)
     if not b.special:
-        return replace(b, relations=tuple(replace(r, rhs=_without_minus(r.rhs)) for r in b.relations))
+        return replace(
+            b, relations=tuple(replace(r, rhs=_oriented(r.rhs, wanted.coefficients, signs)) for r in b.relations)
+        )
     relations = []
     for r in b.relations:
         written: tuple[RestCondition, ...] = ()
@@ -408,11 +410,14 @@ def _limits_solved(
     return replace(b, relations=tuple(relations))
 
 
-def _without_minus(e: sp.Expr) -> sp.Expr:
-    """−W A/(B − C) as W A/(C − B)."""
+def _oriented(e: sp.Expr, coefficients: Sequence[sp.Expr], signs: Signs) -> sp.Expr:
+    """W (sin α − μ cos α)/(cos β − μ sin β), whose divisor is positive for little friction; else without a minus."""
     above, below = sp.fraction(e)
-    of_both_signs = below.is_Add and any(term.could_extract_minus_sign() for term in below.args)
-    return -above / -below if of_both_signs and above.as_coeff_Mul()[0].is_negative else e
+    if not below.is_Add or not any(term.could_extract_minus_sign() for term in below.args):
+        return e
+    smooth = signs.of(below.xreplace(dict.fromkeys(coefficients, sp.S.Zero)))
+    turned = smooth == -1 if smooth else above.as_coeff_Mul()[0].is_negative
+    return without_leading_minus(-above) / -below if turned else e
 
 
 def _coefficients_solved(b: Branch, resting: Equilibrium) -> Branch:
@@ -440,19 +445,27 @@ def _is_pulled_off(newton: Newton, pressed: Mapping[sp.Symbol, sp.Expr], signs: 
 
 
 def _where_pressed(
-    resting: Equilibrium, contacts: Sequence[RoughContact], pressed: Mapping[sp.Symbol, sp.Expr], signs: Signs
+    resting: Equilibrium,
+    contacts: Sequence[RoughContact],
+    pressed: Mapping[sp.Symbol, sp.Expr],
+    signs: Signs,
+    values: Mapping[sp.Symbol, sp.Expr],
 ) -> Equilibrium:
     """The equilibria with the conditions on the parameters under which every normal force presses.
 
     The push P = W (sin α + μ cos α)/(cos α − μ sin α) up an incline needs N = W/(cos α − μ sin α) > 0: beyond that
-    slope no push slides the block, and the formula is that of a force which would pull it off.
+    slope no push slides the block, and the formula is that of a force which would pull it off. Where several factors of
+    N have unknown signs, no condition is stated: nobody would read the alternatives.
     """
     kept: list[tuple[int, Branch]] = []
+    unknown = {*resting.solution.unknowns, *resting.forces}
     for n, b in enumerate(resting.branches):
         stated = {r.lhs: r.rhs for r in b.relations if r.lhs in resting.forces}
         forces = [shortest(((c.sign or 1) * pressed[c.reaction.force]).xreplace(stated)) for c in contacts]
-        unknown = {*resting.solution.unknowns, *resting.forces}
-        asked = [f for f in forces if f.free_symbols.isdisjoint(unknown) and signs.of(f) is None]
+        open_ = [f for f in forces if f.free_symbols.isdisjoint(unknown) and signs.of(f) is None]
+        if any(x.is_number and sign_of(x) == -1 for x in (f.xreplace(dict(values)) for f in open_)):
+            continue
+        asked = [f for f in open_ if _open_factors(f, signs) == 1]
         try:
             further = conditions_for(asked, [positive_part(c) for c in b.conditions if c.relation in "<>"]) or ()
         except NeverPositiveError:
@@ -460,6 +473,11 @@ def _where_pressed(
         kept.append((n, replace(b, conditions=(*b.conditions, *further)) if further else b))
     idle = tuple(resting.idle[n] for n, _ in kept if n < len(resting.idle))
     return replace(resting, branches=tuple(with_shortest_conditions([b for _, b in kept])), idle=idle)
+
+
+def _open_factors(e: sp.Expr, signs: Signs) -> int:
+    """How many factors of an expression have a sign that is not known."""
+    return sum(signs.of(f.as_base_exp()[0]) is None for f in sp.Mul.make_args(sp.factor(e)))
 
 
 def _sign_there(

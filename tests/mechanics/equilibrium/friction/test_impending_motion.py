@@ -9,7 +9,9 @@ from sympy.parsing.sympy_parser import parse_expr
 
 from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import report
+from lagrange.mechanics.results import with_known_values
 from lagrange.mechanics.solution import solve
+from lagrange.problem.values import values_of
 from lagrange.render import json as in_json
 from tests.mechanics.equilibrium.friction.test_friction_at_rest import ABOVE, INCLINE, LADDER, PUSHED, Read, solved
 
@@ -170,3 +172,51 @@ def test_the_normal_force_presses_at_the_limit(problem: Read, push: str) -> None
         f"{c.lhs} {c.relation} {c.rhs}" for m in motions for b in m.equilibrium.branches for c in b.conditions
     ]
     assert conditions == ["cos(alpha) > mu*sin(alpha)"]
+
+
+ROPE = """title: Crate held on a ramp by a rope
+parameters: {W: %s, alpha: %s, beta: %s, mu: %s}
+unknowns: [P]
+coordinates: [s, n]
+particles: {crate: {position: s*i + n*j}}
+constraints: {ramp: {equation: n >= 0, reaction: N}}
+forces:
+  weight: {on: crate, vector: -W*sin(alpha)*i - W*cos(alpha)*j}
+  rope: {on: crate, vector: P*cos(beta)*i + P*sin(beta)*j}
+  rub: {friction: mu, static: mu, constraint: ramp, on: crate}
+find: [equilibrium, impending]
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "conditions"),
+    [
+        (("positive", "acute", "acute", "positive"), [["cos(beta) ≠ mu*sin(beta)"], ["pi/2 > alpha + beta"]]),
+        (("800 N", "25 deg", "15 deg", "0.35"), [[], []]),
+    ],
+)
+def test_limits_have_divisors_that_are_positive_for_little_friction(
+    problem: Read, given: tuple[str, ...], conditions: list[list[str]]
+) -> None:
+    """N = W cos(α + β)/(cos β + μ sin β); of W cos(α + β)/(cos β − μ sin β) two signs are open, and none is stated."""
+    found = solved(problem, ROPE % given)
+    values = values_of(found.problem)
+    views = found.views if values is None else with_known_values(found, values).views
+    motions = next(v.impending for v in reversed(views) if v.impending)
+    branches = [b for m in motions for b in m.equilibrium.branches]
+    assert [str(r.rhs) for b in branches for r in b.relations] == [
+        "W*(-mu*cos(alpha) + sin(alpha))/(-mu*sin(beta) + cos(beta))",
+        "W*(mu*cos(alpha) + sin(alpha))/(mu*sin(beta) + cos(beta))",
+    ]
+    assert [[f"{c.lhs} {c.relation} {c.rhs}" for c in b.conditions] for b in branches] == conditions
+
+
+def test_a_pull_that_would_lift_is_no_limit(problem: Read) -> None:
+    """60° and 50°: cos(α + β) < 0, so that the rope would lift the crate off before it slides up."""
+    motions = next(v.impending for v in reversed(solved(problem, ROPE % ("800 N", "60 deg", "50 deg", "0.35")).views))
+    assert not any(
+        "mu*cos(alpha) + sin(alpha)" in str(r.rhs)
+        for m in motions or ()
+        for b in m.equilibrium.branches
+        for r in b.relations
+    )
