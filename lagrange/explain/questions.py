@@ -331,7 +331,9 @@ def _answer(asked: Asked) -> Iterator[Block]:
                     "this state, in the limit ", math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
     if any(b.provided for b in asked.branches):
         yield prose("This holds provided that the motion gets there, which is not decided here.", detail=Detail.BRIEF)
-    if asked.mirrored:
+    if asked.mirrored and not asked.initial:
+        yield prose("The motion may have either sense: one value belongs to each.")
+    elif asked.mirrored:
         yield prose("The initial state is an equilibrium, from which the motion may start in either direction: "
                     "one value belongs to each.")  # fmt: skip
     elif several and asked.route is Route.REST:

@@ -190,16 +190,25 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
 
 
 def _about_steady(steady: SteadyMotions) -> Iterator[Equation]:
-    """The frequency of small oscillations about the only steady motion, if it is stable and has a single one."""
-    branches = [(family.about, s) for family in steady.families for s in family.about.at]
-    if len(branches) != 1 or branches[0][1] is None:
-        return
-    [(about, s)] = branches
-    if s is None or len(s.frequencies) != 1 or s.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
-        return
-    [f] = s.frequencies
-    if f.square is not None and f.square != 0:
-        yield Equation((about.omega**2, f.square), condition=("of small oscillations about it",))
+    """The single frequency of small oscillations about the only steady motion, or about each place that is a number.
+
+    About an unstable one there are none.
+    """
+    branches = [
+        (family, b, s)
+        for family in steady.families
+        for b, s in zip(family.about.branches, family.about.at, strict=True)
+    ]
+    for family, b, s in branches:
+        relations = family.relations(b)
+        is_place = bool(relations) and all(r.rhs.is_number for r in relations)
+        if s is None or len(s.frequencies) != 1 or not (is_place or len(branches) == 1):
+            continue
+        [f] = s.frequencies
+        if s.judgement.stability.verdict is StabilityVerdict.UNSTABLE or f.square is None or f.square == 0:
+            continue
+        where = ("it",) if len(branches) == 1 else listed(math(r.lhs, r.rhs) for r in relations)
+        yield Equation((family.about.omega**2, f.square), condition=("of small oscillations about ", *where))
 
 
 def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tuple[Part, ...]:
