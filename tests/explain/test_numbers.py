@@ -253,3 +253,17 @@ def test_what_has_no_formula_stands_as_a_number_alone(problem: Callable[[str], P
     page = terminal.text(told.derivation, told.notation, 100)
     assert page.count("t ≈ 0.5616 s") == 2  # at the head and in its step; 2.6220576 √(0.9/19.62) = 0.56158
     assert "t = 0.56" not in page
+
+
+def test_a_rate_of_mass_stays_in_kilograms_a_second() -> None:
+    rocket = """title: Rocket
+axes: {j: up}
+parameters: {m_0: 1200 kg, q: 15 kg/s, u: 2400 m/s, c: 3 N s/m}
+coordinates: [y]
+particles: {rocket: {mass: m_0 - q*t, position: y*j, leaves: {relative: -u*j}}}
+forces: {drag: {on: rocket, vector: "-c*y'*j"}}
+"""
+    explained = report(read_problem(Source("rocket.yaml", rocket)))
+    page = terminal.text(explained.derivation, explained.notation, 100)
+    assert "q = 15 kg/s" in page
+    assert "c = 3 N s/m" in page

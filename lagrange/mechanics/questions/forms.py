@@ -266,9 +266,20 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     rhs = _over_positive(without_known_magnitudes(b.rhs))
     rhs = without_leading_minus(with_whole_contents(with_factors(without_roots_below(rhs))))
     rhs = with_number_apart(with_half_angle(with_tanh(rhs)))
-    rhs = with_exponentials_under_roots(with_known_signs(with_joined_logarithms(rhs), b.conditions))
+    rhs = with_known_signs(with_joined_logarithms(rhs), b.conditions)
+    rhs = with_exponentials_under_roots(with_common_number(rhs))
     rhs = under_one_root(rhs)
     return replace(b, rhs=rhs, conditions=settled(joined_conditions(b.conditions), rhs))
+
+
+def with_common_number(e: sp.Expr) -> sp.Expr:
+    """27 (R − a)/10 for 27 R/10 − 27 a/10: a number that all terms of a sum have before them."""
+    parts = [term.as_coeff_Mul() for term in e.args] if e.is_Add else []
+    numbers = {abs(number) for number, _ in parts}
+    if len(numbers) != 1 or numbers == {sp.S.One} or any(rest == 1 for _, rest in parts):
+        return e
+    [number] = numbers
+    return sp.Mul(number, sp.Add(*(c / number * rest for c, rest in parts)), evaluate=False)
 
 
 def _over_positive(e: sp.Expr) -> sp.Expr:

@@ -11,7 +11,9 @@ from lagrange.mechanics.questions.forms import (
     joined_conditions,
     rate_of,
     settled,
+    shown,
     under_one_root,
+    with_common_number,
     with_exponentials_under_roots,
     with_factors,
     with_half_angle,
@@ -24,6 +26,7 @@ from lagrange.mechanics.questions.forms import (
     without_waves_of_logarithms,
     without_weaker,
 )
+from lagrange.mechanics.questions.results import AnswerBranch
 
 g, h, m, x = sp.symbols("g h m x", positive=True)
 
@@ -167,3 +170,13 @@ def test_a_strict_condition_has_the_shorter_sides() -> None:
     assert joined_conditions([weak, different]) == expected
     assert joined_conditions([different, weak]) == expected
     assert len(joined_conditions([weak, SignCondition(g**2, "≠", m**2)])) == 2
+
+
+def test_a_number_that_all_terms_share_stands_before_them() -> None:
+    e = sp.Rational(27, 10) * g - sp.Rational(27, 10) * h
+    written = with_common_number(e)
+    assert written.args == (sp.Rational(27, 10), g - h)
+    assert sp.expand(written) == e
+    assert with_common_number(g - 2 * h) == g - 2 * h
+    assert with_common_number(2 - 2 * h) == 2 - 2 * h
+    assert shown(AnswerBranch(x, e, ())).rhs == written
