@@ -199,7 +199,7 @@ def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
             continue
         letters = dict(zip(linearization.displacements, linearization.configuration.slots.coordinates, strict=True))
         in_letters = any(base(s) in letters for e in equations for s in e.free_symbols)
-        if not in_letters and len(working.approximate) < len(readings):
+        if not in_letters and 0 not in working.approximate:  # a mark before the first counts for all that follow
             continue
         slots = linearization.displacements if in_letters else linearization.configuration.slots.coordinates
         for place in _places(linearization):
