@@ -206,7 +206,7 @@ def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
             size = len(place.oscillations.free)
             if size > MOST_LINEARIZED:
                 continue
-            at = _position(place)
+            at = position_of(place)
             claims = [_coefficients(as_written(e).xreplace(dict(reference.values)), slots, place) for e in equations]
             if any(c is None for c in claims):
                 continue
@@ -262,7 +262,7 @@ def number_of_oscillating_places(solution: Solution) -> int | None:
     return max(numbers, default=None)
 
 
-def _position(place: EquilibriumPoint) -> str:
+def position_of(place: EquilibriumPoint) -> str:
     """Where the equilibrium is: `theta1 = 0, theta2 = 0`."""
     return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in place.branch.relations) or "the equilibrium"
 

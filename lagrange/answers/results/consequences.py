@@ -43,9 +43,7 @@ def with_consequences(
     return verdict
 
 
-def _found(
-    stated: Mapping[int, tuple[Asked, sp.Expr]], reference: Reference
-) -> Iterator[tuple[int, Sequence[int]]]:
+def _found(stated: Mapping[int, tuple[Asked, sp.Expr]], reference: Reference) -> Iterator[tuple[int, Sequence[int]]]:
     """Each wrong force that is not zero, with the wrong accelerations that follow from it."""
     for c in reference.candidates:
         if c.choice or not c.multipliers:

@@ -76,9 +76,7 @@ def _changes(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> Iterator[tuple[str
         yield f"one change makes it right: {text(term / 2)} in place of {text(term)}", e - term / 2
 
 
-def _missing(
-    e: sp.Expr, coordinates: Sequence[sp.Symbol], rows: Sequence[sp.Expr]
-) -> Iterator[tuple[str, sp.Expr]]:
+def _missing(e: sp.Expr, coordinates: Sequence[sp.Symbol], rows: Sequence[sp.Expr]) -> Iterator[tuple[str, sp.Expr]]:
     """The equation with a term of a constraint with a coordinate that it does not have."""
     kinds = [k for k in (prime, differential, variation) if any(k(q) in e.free_symbols for q in coordinates)]
     if len(kinds) != 1:
