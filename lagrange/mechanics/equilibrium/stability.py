@@ -113,6 +113,9 @@ class Stability:
         return self.verdict is StabilityVerdict.STABLE and not self.presupposed
 
 
+UNKNOWN = Stability(StabilityVerdict.UNDECIDED)
+
+
 @record
 class SecondVariation:
     """V_kj, shape (f, f), in the coordinates with free displacements, and the verdict on each branch.
@@ -212,9 +215,9 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
 
 def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
     if b.special or (b.left and e.elimination.pivots):
-        return Stability(StabilityVerdict.UNDECIDED)
+        return UNKNOWN
     if b.left:
-        return _where_it_is_definite(b, matrix, e)
+        return within(UNITS_OF_LOWEST_FORM, lambda: _where_it_is_definite(b, matrix, e)) or UNKNOWN
     judged = _on_solved_branch(b, matrix, e)
     if judged.verdict is StabilityVerdict.CONDITIONAL and len(matrix) == 1 and not judged.free:
         return _with_limit(judged, matrix[0][0], b, e)
@@ -240,7 +243,7 @@ def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibri
         return _with_multipliers(b, e)
     entries = [on_branch(b, x, e) for row in matrix for x in row]
     if any(x is None for x in entries):
-        return Stability(StabilityVerdict.UNDECIDED)
+        return UNKNOWN
     width = len(matrix)
     if any(idle and o is b for o, idle in zip(e.branches, e.idle, strict=False)):
         return _at_pole([entries[n * width : (n + 1) * width] for n in range(width)], b, e)
@@ -296,25 +299,23 @@ def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -
 
 def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
     """The verdict at equations that are not solved: the conditions are in the coordinates, if they are short."""
-    undecided = Stability(StabilityVerdict.UNDECIDED)
     if b.occupied and len(matrix) == 1 and e.configuration.ranges.get(e.solution.unknowns[0]) == QUARTER:
         rise = slope(-e.independent_forces[0], e.solution.unknowns[0])
         if rise is not None:
             verdict = StabilityVerdict.STABLE if rise[1] == 1 else StabilityVerdict.UNSTABLE
             return Stability(verdict, (rise[0],))
     if any(x.has(sp.DiracDelta) for row in matrix for x in row):
-        return undecided
+        return UNKNOWN
     minors = [_minor(matrix, range(n), b, e) for n in range(1, len(matrix) + 1)]
     known = [m for m in minors if m is not None and not is_zero(m)]
     if len(known) < len(minors):
-        return undecided
+        return UNKNOWN
     judged = by_signs(known, b, e)
     if len(minors) == 1 and judged.verdict is not StabilityVerdict.STABLE:
-        [[second]] = matrix
-        positive = SignCondition(second, ">", sp.S.Zero)
-        return Stability(StabilityVerdict.CONDITIONAL, (second,), (positive,))
+        second = matrix[0][0]
+        return Stability(StabilityVerdict.CONDITIONAL, (second,), (SignCondition(second, ">", sp.S.Zero),))
     if sum(count_operations(c.lhs - c.rhs) for c in judged.conditions) > LONGEST_UNSOLVED:
-        return undecided
+        return UNKNOWN
     return replace(judged, minors=tuple(min(m, shortest_form(m), key=lambda x: count_operations(x)) for m in known))
 
 
@@ -427,18 +428,17 @@ def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:
     The eliminated V_kj is degenerate there: a pivot that vanishes makes B infinite. The multipliers need no pivot, and
     the displacements with A δq = 0 are solved for once more with the values of A on the branch.
     """
-    undecided = Stability(StabilityVerdict.UNDECIDED)
     if any(r.finite is None for r in e.binding):
-        return undecided
+        return UNKNOWN
     q = e.configuration.slots.coordinates
     rows = [[on_branch(b, a, e) for a in r.coefficients] for r in e.binding]
     second = [[on_branch(b, -f.diff(x), e, in_parameters=True) for x in q] for f in e.balance(e.multipliers)]
     entries = [x for row in (*rows, *second) for x in row]
     if any(x is None or x.free_symbols & {*e.multipliers} for x in entries):
-        return undecided
+        return UNKNOWN
     free = _eliminated(rows, e)
     if free is None:
-        return undecided
+        return UNKNOWN
     shape = sp.Matrix(free.shape(len(q)))
     reduced = (shape.T * sp.Matrix(second) * shape).tolist()
     return replace(definiteness(reduced, b, e), free=tuple(q[k] for k in free.independent))
@@ -461,7 +461,7 @@ def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium)
     for n in range(1, len(matrix) + 1):
         minor = _minor(matrix, range(n), b, e)
         if minor is None:
-            return Stability(StabilityVerdict.UNDECIDED)
+            return UNKNOWN
         minors.append(minor)
     known = known_positive(b)
     judged = by_signs(minors, b, e)
