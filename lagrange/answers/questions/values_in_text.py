@@ -324,10 +324,10 @@ def asked_in_text(
     verdicts = {p.verdict for p in parts}
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
-    verdict = AnswerVerdict(whole, tuple(parts), name="ask")
+    asked = AnswerVerdict(whole, tuple(parts), name="ask")
     if whole is Verdict.WRONG:
-        verdict = with_stated_forces(verdict, [(p.part, Fragment.of(p.text)) for p in parts], solution)
-    return AskedInText(verdict, tuple(rest), missing)
+        asked = with_stated_forces(asked, [(p.part, Fragment.of(p.text)) for p in parts], solution)
+    return AskedInText(asked, tuple(rest), missing)
 
 
 _ELSEWHERE = "it is right for the place that is stated, at which it is not asked for"
