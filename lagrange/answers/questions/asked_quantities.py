@@ -85,7 +85,7 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
 def with_stated_forces(
     verdict: AnswerVerdict, stated: Sequence[tuple[str, Fragment]], solution: Solution
 ) -> AnswerVerdict:
-    """The verdict on wrong values, of which some may follow from others; `stated`: the question and text of each part."""
+    """The verdict on wrong values, of which some may follow from others; `stated`: question and text of each part."""
     from lagrange.answers.results.consequences import with_consequences
 
     wrong = [n for n, e in enumerate(verdict.equations) if e.verdict is Verdict.WRONG]
