@@ -132,7 +132,8 @@ def turning_relative_to_carrier(m: Mechanics) -> Iterator[Variation]:
         axes = [a for a in range(3) if any(column[a] != 0 for column in r.columns)]
         own = [*carried_round_by(r, m)]
         for i in carried if len(axes) == 1 else ():
-            if i in own or r.columns[i][axes[0]] in (0, 1):
+            rate = r.columns[i][axes[0]]
+            if i in own or (rate == 0 and not m.configuration.rows) or is_zero(rate - 1) is True:
                 continue
             v = m.slots.velocities[i]
             turned = replace(r, columns=added(r, i, axes[0], -1))
