@@ -270,6 +270,7 @@ def _without_cotangents(e: sp.Expr) -> sp.Expr:
     return e.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x)).replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
 
 
+@lru_cache(maxsize=512)
 def _cleared(e: sp.Expr) -> sp.Expr:
     """A slack without denominators, tangents by sines and cosines, multiplied out."""
     plain = e.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))

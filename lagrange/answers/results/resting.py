@@ -48,6 +48,7 @@ from lagrange.answers.limits import (
     MOST_RESTING_FORCES,
     MOST_RESTING_ROWS,
     RATIO_OPERATIONS,
+    SHORTEST_RATIO,
 )
 from lagrange.answers.models.forces import name_of
 from lagrange.answers.models.mechanics import (
@@ -476,7 +477,7 @@ def _changes(
 
     strengths = [_strength(shares, m) for shares in own]
     letters_of_forces = {s for s in strengths if s is not None}
-    known = {s for shares in (*own, letters.values()) for e in shares for s in e.free_symbols}
+    known = {s for es in (*own, letters.values(), m.configuration.finite_constraints) for e in es for s in e.free_symbols}
     for f, share, shares in zip(forces, put, own, strict=True):
         if share == 0:
             continue
@@ -485,7 +486,7 @@ def _changes(
             yield 0, f"without {name_of(f)}"
         elif (
             c == 1
-            or not _is_plain(c, m)
+            or not _is_plain(c, m, tied=tied)
             or not letters_of_forces.isdisjoint(c.free_symbols)
             or not c.free_symbols <= known
         ):
@@ -533,9 +534,9 @@ def _reduced(e: sp.Expr) -> sp.Expr:
     return sp.factor(textbook_form(above) / textbook_form(below))
 
 
-def _is_plain(c: sp.Expr, m: Mechanics) -> bool:
+def _is_plain(c: sp.Expr, m: Mechanics, *, tied: bool) -> bool:
     """Whether a ratio of contributions is a plausible slip: made of numbers, letters, sums of two letters and functions
-    of angles.
+    of angles; `tied`: a short ratio may also have a coordinate that is a length, as l/x.
     """
     above, below = sp.fraction(c)
     factors = [f.as_base_exp()[0] for f in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)) if not f.is_Rational]
@@ -547,7 +548,8 @@ def _is_plain(c: sp.Expr, m: Mechanics) -> bool:
         for f in factors
     )
     straight = {*m.slots.coordinates} - {a for w in c.atoms(sp.sin, sp.cos, sp.tan) for a in w.free_symbols}
-    if not straight.isdisjoint(c.xreplace(dict.fromkeys(c.atoms(Unspecified), sp.S.One)).free_symbols):
+    bare = c.xreplace(dict.fromkeys(c.atoms(Unspecified), sp.S.One))
+    if not straight.isdisjoint(bare.free_symbols) and not (tied and sp.count_ops(c) <= SHORTEST_RATIO):
         return False
     number = c.as_coeff_Mul()[0]
     small = number.is_Rational and max(abs(number.p), number.q) <= MOST_RESTING_FACTORS
