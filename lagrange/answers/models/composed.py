@@ -35,6 +35,7 @@ from lagrange.answers.models.kinetic import length_left_out
 from lagrange.answers.models.mechanics import AppliedForceKind, Inertia, Mechanics, Variation, called
 from lagrange.core.symbols import partial, prime
 from lagrange.core.vectors import Components
+from lagrange.mechanics.constraints.displacements import virtual_displacements
 
 _Columns = tuple[Components, ...]
 

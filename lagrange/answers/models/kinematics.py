@@ -475,6 +475,7 @@ def carried_round_by(r: Inertia, m: Mechanics) -> Iterator[int]:
 
 
 def added(r: Inertia, index: int, axis: int, sign: int) -> tuple[Components, ...]:
+    """The columns of a rotation with a rate added to, or subtracted from, the angular velocity about an axis."""
     columns = [[*c] for c in r.columns]
     columns[index][axis] += sign
     return tuple((c[0], c[1], c[2]) for c in columns)

@@ -26,7 +26,6 @@ from lagrange.answers.models.mechanics import (
 )
 from lagrange.core.symbols import base, prime, t
 from lagrange.core.vectors import Components
-from lagrange.mechanics.constraints.displacements import virtual_displacements
 
 HALF = sp.Rational(1, 2)
 LINEAR = (

@@ -97,7 +97,6 @@ def with_another_arm(m: Mechanics) -> Iterator[Variation]:
                     together.append((kind, name, link.name, shares))
                 yield Variation(f"for {name} {clause}", f"the lever arm of {name}", _with(m, kind, link.name, shares))
 
-
     for (_, clause), together in alike.items():
         if len(together) > 1:
             system = m
