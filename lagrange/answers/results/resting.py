@@ -34,7 +34,6 @@ import sympy as sp
 from lagrange.algebra.closed_forms.solution_sets import has_root
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
-from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import (
     MAX_RESTING_MODELS,
