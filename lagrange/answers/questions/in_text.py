@@ -36,6 +36,7 @@ from lagrange.answers.written.lines import condition_alone, conditions_of, in_pa
 from lagrange.answers.written.one_line import each_alternative, without_integrals
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.values import with_all_values
+from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions.edits import cut
 from lagrange.expressions.latex_layout import is_latex
@@ -149,10 +150,14 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
     if not solution.asked:
         return _only(verdict, solution)
     if verdict.verdict is Verdict.EQUIVALENT:
-        values = asked_in_text(answer, solution).verdict
-        found = values is not None and values.verdict in (Verdict.EQUIVALENT, Verdict.WRONG)
-        judged = _only(verdict, solution)
-        return replace(judged, others=(*judged.others, values)) if found and values is not None else judged
+        found = asked_in_text(answer, solution)
+        judged, values = _only(verdict, solution), found.verdict
+        if values is not None and values.verdict in (Verdict.EQUIVALENT, Verdict.WRONG):
+            return replace(judged, others=(*judged.others, _if_complete(values, found.missing)))
+        if values is not None or not found.missing:
+            return judged
+        unanswered = AnswerVerdict(Verdict.EQUIVALENT, name="ask")
+        return replace(judged, others=(*judged.others, _if_complete(unanswered, found.missing)))
     judged = _with_asked(
         answer,
         solution,
@@ -384,9 +389,25 @@ def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Jud
     from lagrange.answers.written.working import understood
 
     working = understood(rest, reference_of_solution(solution))
-    if working.judged and len(working.approximate) == len(working.judged) and not working.unreadable:
-        return None
+    if working.judged and len(working.approximate) == len(working.judged):
+        return _linear_beside(working, solution)
     return _with_positions(rest, solution, judge) if working.judged or working.unreadable else None
+
+
+def _linear_beside(working: Working, solution: Solution) -> Judgement | None:
+    """The verdict on linearized equations beside their frequencies; None where they are working that cannot be judged.
+
+    Lines that cannot be read are named, and do not sink them.
+    """
+    from lagrange.answers.questions.linear_equations import check_linearized
+
+    linear = check_linearized(working.judged, solution)
+    errors = (d for f in working.unreadable if f.reading.error for d in f.reading.error.diagnostics)
+    notes = tuple(d.as_note() for d in errors)
+    if linear is None or linear.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
+        return None if not notes else _only(AnswerVerdict(Verdict.EQUIVALENT, notes=notes), solution)
+    whole = Verdict.EQUIVALENT if linear.verdict is Verdict.INCOMPLETE else linear.verdict
+    return _only(replace(linear, verdict=whole, notes=(*linear.notes, *notes)), solution)
 
 
 def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
