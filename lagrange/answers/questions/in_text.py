@@ -207,6 +207,7 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
     cyclic = next((v.steady.cyclic for v in solution.views if v.steady is not None), ())
     if all(is_kept(f) for f in answer):  # m r^2 phi' = const is an integral of every motion
         return judge(answer)
+    whole = answer
     answer = [definition_of_kept(f) or f for f in answer]  # of p in p = m r^2 phi' = const
     answer = [period_as_rate(f, cyclic, reference) for f in answer if not is_kept(f)]
     answer = [f for f in answer if not says_steady(f, cyclic, reference)] or answer
@@ -215,16 +216,16 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
         s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols
     }
     if not working.judged or any(base(s) != s and prime(base(s)) != s for s in used):
-        return judge(answer)
+        return judge(whole)
     conditions = [v.steady.general for v in solution.views if v.steady is not None]
     try:
         verdict = check_steady_answers(alternatives_of(working.judged), conditions, reference)
     except ProblemError:
-        return judge(answer)
+        return judge(whole)
     if verdict.verdict in (Verdict.UNREADABLE, Verdict.TRIVIAL):
-        return judge(answer)
+        return judge(whole)
     if verdict.verdict is Verdict.WRONG:
-        first = judge(answer)
+        first = judge(whole)
         if first.verdict is not Verdict.WRONG:
             return first
         from lagrange.answers.questions.own_answers import explained_steady

@@ -121,7 +121,7 @@ _SINE = re.compile(r"(?<![A-Za-z_\\])sen(?=\s?(?:\^|²|³|\(|[^\W\d_]))(?![a-z]{
 """`sen α`, the sine in Spanish, Italian and Portuguese."""
 _GREEK_INDEX = re.compile(rf"(?<![A-Za-z0-9_])(?P<name>[A-Za-z]{{1,3}})_(?P<index>[{_GREEK}])(?![A-Za-z0-9_])")
 _KEPT = re.compile(
-    r"(?<=[\w)}²³'\u0307])\s+(?:is|ist|est|es)\s+(?:conserved|constant|erhalten|konstant|conserv[ée]e?|constante?)"
+    r"(?:(?<=[)}²³'\u0307])|(?<=\^[0-9]))\s+(?:is|ist|est|es)\s+(?:conserved|constant|erhalten|konstant|conserv[ée]e?|constante?)"
     r"(?:\s*\(\s*=\s*(?P<value>[^()=\n]{1,20})\))?(?=[\s.,;)]|\Z)"
 )
 """`p = m r^2 φ' is conserved (= h)`."""
