@@ -232,6 +232,11 @@ def check_response_in_text(
         if not isinstance(f, GivenEquation) or len(f.reading.components) != 1:
             return None
         [e] = f.reading.components
+        if e.free_symbols <= {*reference.parameters.values()}:  # between the amplitudes that the answer states
+            holds = is_zero(e.xreplace(dict(reference.values)))
+            verdict = Verdict.UNDECIDED if holds is None else Verdict.EQUIVALENT if holds else Verdict.WRONG
+            parts.append(EquationVerdict.of(f.reading.text, verdict, ""))
+            continue
         if e.free_symbols & unknown.keys():
             holds = is_zero(
                 e.xreplace({s: value for s, (_, value) in unknown.items()}).xreplace(dict(reference.values))
