@@ -11,12 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations
+from math import gcd
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, irreducible_factors, shortest_value
-from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.shortest_form import by_stated_root, shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
@@ -131,6 +132,18 @@ def sides(e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     left = [t for t in terms if not t.could_extract_minus_sign()]
     right = [-t for t in terms if t.could_extract_minus_sign()]
     return sp.Add(*left), sp.Add(*right)
+
+
+def plain_sides(e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """a − b as a and b; h and √3 r for 3r² − h², the letters being positive."""
+    left, right = sides(e)
+    factors = [f.as_base_exp() for side in (left, right) for f in sp.Mul.make_args(side) if not f.is_number]
+    powers = [int(p) for base, p in factors if base.is_positive and p.is_Integer]
+    if not factors or len(powers) < len(factors) or gcd(*powers) == 1:
+        return left, right
+    root = sp.Rational(1, gcd(*powers))
+    left, right = left**root, right**root
+    return (right, left) if right.is_Symbol else (left, right)
 
 
 def denominators(equations: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
@@ -292,6 +305,7 @@ def with_known_values(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Sym
         return shortest_value(letters.write(resolved(e, known)))
 
     relations = [Relation(letters.write(r.lhs), value(r.rhs)) for r in sorted(b.relations, key=place)]
+    relations = [Relation(r.lhs, by_stated_roots(r.rhs, relations)) for r in relations]
     conditions = [
         SignCondition(
             shortest_form(letters.write(resolved(c.lhs, known))),
@@ -301,6 +315,14 @@ def with_known_values(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Sym
         for c in b.conditions
     ]
     return replace(b, relations=tuple(relations), conditions=_joined(conditions))
+
+
+def by_stated_roots(e: sp.Expr, relations: Sequence[Relation]) -> sp.Expr:
+    """A value by the sine, cosine or tangent of which a power is stated, instead of roots, where that is shorter."""
+    for r in relations:
+        if isinstance(r.lhs.as_base_exp()[0], CIRCULAR) and e != r.rhs:
+            e = by_stated_root(e, r.lhs, r.rhs)
+    return e
 
 
 def determined(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> list[Branch]:

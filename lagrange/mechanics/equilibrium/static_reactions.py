@@ -31,7 +31,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import without_squares
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, by_stated_roots, parameters_given, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
@@ -218,7 +218,10 @@ def _at(
         written = resolved(letters.write(resolved(algebraic, common)), places)  # x under a root is no letter
         return written.xreplace(dict(points.given))
 
-    place = SolutionPlace(write, points, points, tidy_quotient, lambda e: over_one_denominator(shortest_form(e)))
+    def shorten(e: sp.Expr) -> sp.Expr:
+        return by_stated_roots(over_one_denominator(shortest_form(e)), b.relations)
+
+    place = SolutionPlace(write, points, points, tidy_quotient, shorten)
     slots = original.configuration.slots
     try:
         rows = tuple(tuple(write(r.row.coefficients[k]) for r in used) for k, _ in enumerate(slots.coordinates))
