@@ -266,6 +266,9 @@ MOST_TAKEN_FORCES = 4
 MOST_MULTIPLIED = 6
 """Parameters of which one may have been multiplied by another: each pair is a derived system."""
 
+LONGEST_FACTORED = 60
+"""Operations of an equation at rest that is factored, to find factors in which there are only parameters."""
+
 LONGEST_SUM_OF_LENGTHS = 200
 """Operations of a velocity or force in which R − r is sought as a factor; shipped ones have up to 60."""
 

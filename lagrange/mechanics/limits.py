@@ -32,6 +32,9 @@ LONGEST_LIMIT = 18
 LONGEST_WITH_UNITS = 1000
 """The most operations of an equation whose terms are compared in their units; it is multiplied out for that."""
 
+HIGHEST_POWER_OF_UNIT = 2
+"""The highest power of a base unit in a unit that is worth naming: kg m²/s² is known, kg m⁴/s⁵ is not."""
+
 MOST_LIMITS = 2
 """The most limits of one problem."""
 

@@ -38,7 +38,7 @@ class Branch:
     left        equations that could not be solved, each zero
     occupied    whether these are known to have a real solution
     closing     whether conditions other than ≠ follow from the equations left: that a triangle closes
-    implied     conditions that hold besides and are not stated: they follow from the others, or from ranges
+    implied     conditions that hold besides and are not stated here: they follow from the others, ranges or contact
     """
 
     relations: tuple[Relation, ...]

@@ -150,7 +150,7 @@ def _explained(
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
 _A_NUMBER = re.compile(r"[\s\d.]+[\s$]*")
 _AND = re.compile(
-    r",|;|\band\b|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*and\s*\}|\\q?quad(?![A-Za-z])"
+    r",|;|\b(?:and|und)\b|(?<=\s)et(?=\s)|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*(?:and|und|et)\s*\}|\\q?quad(?![A-Za-z])"
 )
 _EXTREME = re.compile(r"\s*\\?(?P<which>min|max|Min|Max)\s*(?:\\left\s*)?(?P<open>[({\[]|\\\{)")
 

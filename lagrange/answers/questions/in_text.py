@@ -14,8 +14,11 @@ import sympy as sp
 
 from lagrange.answers.questions.equilibrium_in_text import (
     at_stated_positions,
+    definition_of_kept,
+    is_kept,
     period_as_rate,
     positions_of,
+    says_steady,
     supports_of,
     with_rate_as_omega,
 )
@@ -47,8 +50,7 @@ _SECOND_VARIATION = re.compile(
     r"\s*\$?\s*(?:[VUEΠ](?:''|″|_\{?\w\w\}?\s)|d\s*(?:\^\s*2|²)\s*[VUEΠ]|\\frac\s*\{\s*d\s*\^\s*\{?2\}?\s*[VUE])"
 )
 """The second derivative of a potential energy, which is working."""
-_KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
-"""theta = const, which says no more than that the motion is steady."""
+_SMALL = re.compile(r"small|lineari[sz]|klein", re.IGNORECASE)
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
 _JUDGED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG)
 _MAY_BE_ENERGY = re.compile(r"[\s$&]*(?:T|K)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
@@ -199,10 +201,11 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
     reference = reference_of_solution(solution)
     cyclic = next((v.steady.cyclic for v in solution.views if v.steady is not None), ())
-    if all(_KEPT.search(f.text) for f in answer):  # m r^2 phi' = const is an integral of every motion
+    if all(is_kept(f) for f in answer):  # m r^2 phi' = const is an integral of every motion
         return judge(answer)
-    answer = [_definition_of(f) or f for f in answer]  # of p in p = m r^2 phi' = const
-    answer = [period_as_rate(f, cyclic, reference) for f in answer if not _KEPT.search(f.text)]
+    answer = [definition_of_kept(f) or f for f in answer]  # of p in p = m r^2 phi' = const
+    answer = [period_as_rate(f, cyclic, reference) for f in answer if not is_kept(f)]
+    answer = [f for f in answer if not says_steady(f, cyclic, reference)] or answer
     working = understood(answer, with_rate_as_omega(reference, cyclic), moving=False)
     used = {
         s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols
@@ -224,12 +227,6 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
         verdict = explained_steady(verdict, alternatives_of(working.judged), conditions, solution)
     return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
-
-
-def _definition_of(fragment: Fragment) -> Fragment | None:
-    """`p = A` of the chain `p = A = const`."""
-    pairs = in_pairs(fragment) if _KEPT.search(fragment.text) else []
-    return pairs[0].finished(latex=is_latex(fragment)) if len(pairs) > 1 else None
 
 
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
@@ -384,12 +381,19 @@ def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
 
 
 def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement | None:
-    """The verdict on what accompanies correct frequencies; None for the linearized equations, which are working."""
+    """The verdict on what accompanies frequencies; None for linearized equations that are right, which are working."""
+    from lagrange.answers.questions.linear_equations import check_linearized
     from lagrange.answers.written.working import understood
 
     working = understood(rest, reference_of_solution(solution))
-    if working.judged and len(working.approximate) == len(working.judged) and not working.unreadable:
-        return None
+    if working.judged and 0 in working.approximate and not working.unreadable:
+        linear = check_linearized(rest, solution)
+        if linear is not None and linear.verdict is not Verdict.WRONG:
+            return None
+        if linear is not None and any(map(_SMALL.search, {f.whole.source.text for f in rest})):
+            return _only(linear, solution)
+        if len(working.approximate) == len(working.judged):
+            return None
     return _with_positions(rest, solution, judge) if working.judged or working.unreadable else None
 
 

@@ -166,7 +166,11 @@ def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
         verdict = check_response_in_text(working, responses, reference)
         if verdict is not None and not verdict.unreadable:
             break
-    return None if verdict is None else replace(verdict, name="response")
+    if verdict is None:
+        return None
+    written = {without_hats(f).text.strip(): f.text.strip() for f in answer}
+    parts = tuple(replace(e, text=written.get(e.text, e.text)) for e in verdict.equations)
+    return replace(verdict, name="response", equations=parts)
 
 
 _TRIAL = re.compile(

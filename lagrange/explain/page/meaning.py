@@ -31,18 +31,19 @@ from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
+from lagrange.explain.page.limiting import explain_limit, explain_massless, period_of
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.circular_motion import Turning
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
-from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
+from lagrange.mechanics.meaning import ResultMeaning
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
 from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquations, one_way
-from lagrange.mechanics.rewriting.readable_forms import are_same_equations, is_same
+from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
@@ -79,7 +80,8 @@ def explain_meaning(
         body += explain_consequences(meaning.consequences, meaning.view)
     body += _rest(meaning)
     final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
-    body += (_limit(limit, final) for limit in meaning.limits)
+    body += (explain_limit(limit, final) for limit in meaning.limits)
+    body += explain_massless(meaning.massless)
     body += _contact(meaning)
     body += _units(meaning)
     body += _caution(meaning)
@@ -461,22 +463,7 @@ def _period(at: SmallOscillations) -> sp.Expr | None:
     square = at.frequencies[0].square
     if square is None or not square.is_positive:
         return None
-    root = sp.Pow(1 / square, sp.S.Half, evaluate=False)
-    return sp.Mul(2 * sp.pi, root, evaluate=False)
-
-
-def _limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
-    """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations, those that change."""
-    changed = [e for e in limit.equations if not any(is_same(e, f) for f in final)]
-    same = len(limit.equations) - len(changed)
-    where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
-    equations = listed(math(e, sp.S.Zero) for e in changed or limit.equations)
-    if changed and same:
-        equations = (*equations, plural(same, " (the other unchanged)", " (the others unchanged)"))
-    forces: tuple[Part, ...] = ()
-    if limit.reactions:
-        forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))
-    return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".", purpose=Purpose.LIMIT)
+    return period_of(square)
 
 
 def _contact(meaning: ResultMeaning) -> Iterator[Block]:
@@ -490,8 +477,11 @@ def _units(meaning: ResultMeaning) -> Iterator[Block]:
     if meaning.terms is None:
         return
     first, other, unit = meaning.terms
-    yield prose(Emphasis("Units"), ": in the equation of motion every term is in ", f"{raised(unit)}: ", math(other),
-                " like ", math(first), ".", purpose=Purpose.UNITS)  # fmt: skip
+    motion = meaning.view.motion
+    several = motion is not None and len(motion.final) > 1
+    where = "in the equations of motion every term" if several else "in the equation of motion every term"
+    yield prose(Emphasis("Units"), f": {where} is in {raised(unit)}, ", math(other), " like ", math(first), ".",
+                purpose=Purpose.UNITS)  # fmt: skip
 
 
 def _caution(meaning: ResultMeaning) -> Iterator[Block]:

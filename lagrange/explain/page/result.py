@@ -104,6 +104,8 @@ def explain_result(
         kept.pop(Rule.EQUATIONS_OF_MOTION)
     _shorten(solution, kept)
     freedom = solution.classification.degrees_of_freedom
+    if Rule.EQUILIBRIUM in kept and not _is_short(kept.values()):
+        kept[Rule.EQUILIBRIUM] = _in_free_coordinates(solution.chosen, kept[Rule.EQUILIBRIUM])
     while kept and not _is_short(kept.values()):
         # What is asked stays to the last.
         others: list[Rule] = [rule for rule in kept if rule is not Rule.QUESTION] or [*kept]
@@ -128,6 +130,15 @@ def explain_result(
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def _in_free_coordinates(view: InCoordinates, lines: list[Equation]) -> list[Equation]:
+    """The equilibria without the coordinates that the constraints give; all of it if a condition would be lost."""
+    e = view.equilibrium
+    free = {view.configuration.slots.coordinates[k] for k in e.elimination.independent} if e is not None else set()
+    given = {*view.configuration.slots.coordinates} - free
+    kept = [line for line in lines if line.sides[0] not in given]
+    return kept if all(line in kept for line in lines if line.condition) else lines
 
 
 def rest_has_roots(solution: Solution) -> bool:

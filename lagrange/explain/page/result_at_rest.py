@@ -25,7 +25,7 @@ from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Posit
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-from lagrange.mechanics.equilibrium.static_reactions import possible
+from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, possible
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
@@ -70,9 +70,12 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
     if view.equilibrium is None:
         return
     groups: list[list[Equation]] = []
+    reactions = view.reactions_at_rest.at if view.reactions_at_rest is not None else ()
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
-    numbers = view.in_numbers if view.linearization is None or view.linearization.branches == branches else None
+    numbers, linearization = view.in_numbers, view.linearization
+    if linearization is not None and [b.relations for b in linearization.branches] != [b.relations for b in branches]:
+        numbers = None
     for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
         if n in excluded or (numbers is not None and n in numbers.absent and len(numbers.absent) < len(branches)):
             continue
@@ -88,6 +91,8 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         is_open = bool(b.conditions) or verdict is None or verdict.verdict is StabilityVerdict.CONDITIONAL
         known = _with_values(numbers, n) if is_open else ()
         words = (*words, *(("; ",) if words and known else ()), *known)
+        contact = _contact(reactions[n]) if reactions else ()
+        words = (*contact, *(("; ",) if words and contact else ()), *words)
         groups.append(_branch(b, *words))
     groups = [lines for lines in groups if lines]
     are_systems = any(len(lines) > 1 for lines in groups)
@@ -95,6 +100,14 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")
         yield replace(last, condition=beside) if are_systems and n < len(groups) else last
+
+
+def _contact(there: ReactionsAtRest | None) -> tuple[Part, ...]:
+    """`in contact where sin θ ≥ 0`, `taut where z > 0`; nothing where no reaction may act backwards."""
+    if there is None or not there.contact:
+        return ()
+    acts = "taut" if there.contact.keys() <= there.reactions.tensions.keys() else "in contact"
+    return (f"{acts} where ", *sign_conditions([*dict.fromkeys(there.contact.values())]))
 
 
 def _found(p: Position) -> list[Equation]:

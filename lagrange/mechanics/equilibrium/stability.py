@@ -197,11 +197,10 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
         return None
     numerator, denominator = sp.fraction(sp.cancel(sp.together(value)))
     try:
-        numerators = [numerator, letters.reduced(numerator)]
+        reduced = [letters.reduced(numerator, keep) for keep in ("cosine", "sine")]
+        numerators = [numerator, reduced[0], *(resolved(p, b.common) for p in reduced)]  # sin θ may have a value
     except sp.PolynomialError:  # a root of roots, such as the rate of a body drawn to two centres
         numerators = [numerator]
-    if in_parameters and len(numerators) > 1:
-        numerators.append(resolved(numerators[1], b.common))
     divisor = letters.write(sp.factor(denominator))
     forms = []
     for p in dict.fromkeys(numerators):
@@ -210,7 +209,8 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     if in_parameters:
         unknowns = {*e.solution.unknowns}
         return min(forms, key=lambda f: (bool(f.free_symbols & unknowns), count_operations(f)))
-    return min(forms, key=lambda f: (sign_of(f) is None, count_operations(f)))
+    positive = known_positive(b)
+    return min(forms, key=lambda f: (sign_on(f, positive) is None, count_operations(f)))
 
 
 def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:

@@ -312,7 +312,7 @@ _FIFTHS = sp.Rational(2, 5)
 
 
 def _distance_on_axis(system: SystemPicture, p: MassPoint, rotation: Rotation, axis: int) -> float | None:
-    """The distance of the mass centre from O, if O lies on its axis in all positions, on the side from which the axis comes."""
+    """The distance of the mass centre from O, if its axis leads from O to it in all positions."""
     distances = [*_distances(system, p, rotation, axis)]
     if len(distances) < 3 or max(distances) - min(distances) > SAME_ON_PAGE or distances[0] < SAME_ON_PAGE:
         return None

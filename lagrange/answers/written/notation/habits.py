@@ -23,6 +23,10 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
 _CONST = re.compile(r"(?<=\{)(\s*[Kk]onst|\s*const|\s*[Cc]st)\.\s*\}")
+_ADDED_CONST = re.compile(
+    r"(?<=[-+−])\s*\\(?:text|textrm|mathrm|mbox|rm)\s*\{\s*(?:[Cc]onst(?:ant)?|[Kk]onst(?:ante)?|[Cc]st|cte)\.?\s*\}"
+)
+"""A constant of integration, `+ \\text{const.}`."""
 _UPRIGHT_D = re.compile(r"\\(?:mathrm|text|rm|mathsf)\s+(d)(?=\s*[A-Za-z\\}^])")
 _SUM = r"\\sum(?![A-Za-z])(?:\\limits|_(?:\{[^{}]{0,12}\}|\w))?[^=:$\n&;,]{1,40}?"
 _ARROW = r"\\(?:Rightarrow|Longrightarrow|implies|quad|qquad|to|rightarrow)(?![A-Za-z])"
@@ -128,6 +132,7 @@ def in_usual_signs(text: str) -> str:
         text = _RATE_AT.sub(lambda m: rf"{m['place']} \quad {m['rate']}", text)
         text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
         text = _CONST.sub(r"\1} ", text)
+        text = _ADDED_CONST.sub(lambda m: " const".ljust(len(m[0])), text)
         text = _UPRIGHT_D.sub(lambda m: m[1].rjust(len(m[0])), text)
         if "\\sum" in text:
             text = _LAW_BEFORE.sub(_blank, text)
