@@ -41,7 +41,7 @@ def reading_length(e: sp.Expr) -> int:
 
 
 def by_stated_root(e: sp.Expr, power: sp.Expr, value: sp.Expr) -> sp.Expr:
-    """∛2 ∛a l^(2/3)/2 as ½ l cos θ where cos³ θ = 2a/l is stated, `power` being cos³ θ and `value` 2a/l, if it is shorter.
+    """∛2 ∛a l^(2/3)/2 as ½ l cos θ where cos³ θ = 2a/l is stated and this is shorter; `power` is cos³ θ, `value` 2a/l.
 
     An odd power of a positive value has one real root; of cos² θ the sign would be open.
     """

@@ -8,7 +8,7 @@ branch. A branch contained in another one is dropped. How branches are found: `b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations
 from math import gcd
@@ -18,7 +18,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, irreducible_factors, shortest_value
 from lagrange.algebra.closed_forms.shortest_form import by_stated_root, shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
+from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero, sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
@@ -108,6 +108,33 @@ def agree(
         return all(is_zero(own.at(p, f) - other.at(q, f).xreplace(dict(values or {}))) for f in functions)
     except (NotAlgebraicError, DivisionByZeroError):
         return False
+
+
+def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
+    """Expressions that are positive on a branch, or zero at its ends: by the conditions for its existence, and cos θ
+    where it is stated to be positive, cos³ θ = 2a/l.
+
+    strict  only those that cannot be zero
+    """
+    above = (">",) if strict else (">", "≥")
+    below = ("<",) if strict else ("<", "≤")
+    conditions = dict.fromkeys((*b.conditions, *b.implied))
+    known = [c.lhs - c.rhs for c in conditions if c.relation in above]
+    for c in conditions:
+        if c.relation in below:
+            within = c.lhs.args[0] if isinstance(c.lhs, sp.Abs) else None
+            known += [c.rhs - c.lhs] if within is None else [c.rhs - within, c.rhs + within]
+    known = [sp.factor(p) for p in known] + [*_positive_waves(b)]
+    numerators = (above for above, below in map(sp.fraction, known) if below != 1 and sign_of(below) == 1)
+    return [*known, *numerators]
+
+
+def _positive_waves(b: Branch) -> Iterator[sp.Expr]:
+    """The sines, cosines and tangents of which an odd power is stated to be positive."""
+    for r in b.relations:
+        base, power = r.lhs.as_base_exp()
+        if isinstance(base, CIRCULAR) and power.is_Integer and power % 2 == 1 and sign_of(r.rhs) == 1:
+            yield base
 
 
 def at_numbers(b: Branch, expression: sp.Expr, unknowns: Sequence[sp.Symbol]) -> sp.Expr | None:
