@@ -86,7 +86,7 @@ def explain_contacts(
         if value is None or value == 0:
             continue
         sign = reactions.sign_of_contact(r.name)
-        if sign == 1:
+        if sign == 1 or (sign is None and conditions is not None and r.name not in conditions):
             trivial.append(r)
             continue
         is_normal = not NORMAL_FORCES.isdisjoint(map(str, (r.force, r.symbol)))

@@ -39,7 +39,7 @@ from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, resolved
+from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, known_positive, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.effort import within
@@ -574,24 +574,6 @@ def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | No
     squares = {on_branch(replace(b, common=at), x**2, e, in_parameters=True) for at in (b.common, *b.points)}
     known = sorted((s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}), key=str)
     return known[0] if known and all(is_zero(s - known[0]) is True for s in known[1:]) else None
-
-
-def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
-    """Expressions that are positive on a branch, or zero at its ends, by the conditions for its existence.
-
-    strict  only those that cannot be zero
-    """
-    above = (">",) if strict else (">", "≥")
-    below = ("<",) if strict else ("<", "≤")
-    conditions = dict.fromkeys((*b.conditions, *b.implied))
-    known = [c.lhs - c.rhs for c in conditions if c.relation in above]
-    for c in conditions:
-        if c.relation in below:
-            within = c.lhs.args[0] if isinstance(c.lhs, sp.Abs) else None
-            known += [c.rhs - c.lhs] if within is None else [c.rhs - within, c.rhs + within]
-    known = [sp.factor(p) for p in known]
-    numerators = (above for above, below in map(sp.fraction, known) if below != 1 and sign_of(below) == 1)
-    return [*known, *numerators]
 
 
 def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:

@@ -31,10 +31,17 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.polynomial_roots import without_squares
-from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.shortest_form import in_sines, shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved
+from lagrange.algebra.closed_forms.solution_sets import (
+    Branch,
+    SolutionSet,
+    by_stated_roots,
+    known_positive,
+    parameters_given,
+    resolved,
+)
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
@@ -55,7 +62,6 @@ from lagrange.mechanics.dynamics.reactions import (
 )
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import MOST_BRANCH_POINTS
-from lagrange.mechanics.equilibrium.stability import known_positive
 from lagrange.problem.keys import Keeper
 
 if TYPE_CHECKING:
@@ -254,7 +260,10 @@ def _at(
         written = resolved(letters.write(resolved(algebraic, common)), places)  # x under a root is no letter
         return written.xreplace(dict(points.given))
 
-    place = SolutionPlace(write, points, points, tidy_quotient, lambda e: over_one_denominator(shortest_form(e)))
+    def shorten(e: sp.Expr) -> sp.Expr:
+        return by_stated_roots(over_one_denominator(shortest_form(e)), b.relations)
+
+    place = SolutionPlace(write, points, points, tidy_quotient, shorten)
     slots = original.configuration.slots
     try:
         rows = tuple(tuple(write(r.row.coefficients[k]) for r in used) for k, _ in enumerate(slots.coordinates))
@@ -278,9 +287,11 @@ def _contact_conditions(b: Branch, reactions: Reactions, newton: Newton) -> dict
     forces = {name: f for name, f in _one_sided(reactions, newton).items() if not is_zero(f)}
     found = {}
     for name, force in forces.items():
-        is_divided = sign_of(sp.fraction(force)[0], positive) is not None  # W/z is never zero
-        conditions = not_negative(force, positive)
-        if conditions:
+        is_divided = sign_of(sp.fraction(in_sines(force))[0], positive) is not None  # W/z is never zero
+        conditions = not_negative(in_sines(force), positive)
+        if conditions is None:
+            found[name] = more_than_zero(force)
+        elif conditions:
             found[name] = more_than_zero(force, positive) if is_divided else conditions[0]
     return found
 

@@ -440,3 +440,26 @@ def test_the_second_derivative_is_written_by_the_sine_that_is_known() -> None:
     page = " ".join(as_text(found.derivation, found.notation, 200).split())
     assert "(m g − 2k l) (m g + 2k l)/(4k), negative where 2k l > m g: unstable" in page
     assert "One degree of freedom; the equilibria: " in page
+
+
+def test_reactions_are_written_by_the_cosine_that_is_stated() -> None:
+    """A rod on a smooth wall and over a smooth peg: cos³ θ = 2a/l, N_A = m g tan θ and N_B = m g/cos θ by Lami."""
+    text = """title: Rod on a wall and a peg
+axes: {i: right, j: up}
+parameters: [m, g, l, a]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  wall: {equation: x - l/2*cos(theta) >= 0, reaction: N_A}
+  peg: {equation: y*cos(theta) - (x - a)*sin(theta) >= 0, reaction: N_B}
+gravity: -g*j
+find: [equilibrium]
+"""
+    result = report(read_problem(Source("p.yaml", text)))
+    page = " ".join(as_text(result.derivation, result.notation, 300).split())
+    assert "x = ½ l cos θ" in page
+    assert "y = ½ l sin θ − a tan θ" in page
+    assert "N_A = m g tan θ" in page
+    assert "N_B = m g/cos θ" in page
+    assert "in contact where sin θ ≥ 0; unstable where l > 2a" in page
+    assert "because N_B is positive" in page
