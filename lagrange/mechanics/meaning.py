@@ -143,9 +143,16 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
         return None
     if not small.complete:
         return None
-    here = [k for k, b in enumerate(small.branches) if not _is_let_go(solution, view, b)]
+    here = [k for k, b in enumerate(small.branches) if not (_is_let_go(solution, view, b) or _is_at_end(view, b))]
     small = replace(small, branches=tuple(small.branches[k] for k in here), at=tuple(small.at[k] for k in here))
     return small if small.branches else None
+
+
+def _is_at_end(view: InCoordinates, place: Branch) -> bool:
+    """Whether the coordinate is at an end of its range, from which it can only move one way."""
+    ranges = view.configuration.ranges
+    ends = ((r.lhs, r.rhs, ranges[r.lhs]) for r in place.relations if r.lhs in ranges)
+    return any(is_zero(value - end) is True for _, value, span in ends for end in (span.low, span.high))
 
 
 def _is_let_go(solution: Solution, view: InCoordinates, place: Branch) -> bool:

@@ -26,6 +26,7 @@ from lagrange.explain.page.economy import (
     said_before,
     without_unused,
 )
+from lagrange.explain.page.friction import with_reaction_first
 from lagrange.explain.page.laws import (
     without_idle,
 )
@@ -87,7 +88,7 @@ def steps_of_page(
     """
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, forces, every_choice=every_choice))
-    arranged = in_directions(solution, short_in_speeds(solution, arranged))
+    arranged = iter(with_reaction_first(solution, [*in_directions(solution, short_in_speeds(solution, arranged))]))
     arranged = with_held_values(solution, [*with_one_list([*arranged])])
     arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
     arranged = with_lengths(solution, [*response_shortly(solution, [*with_symbol_first([*arranged])])])

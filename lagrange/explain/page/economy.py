@@ -448,7 +448,7 @@ def _as_one(forms: Sequence[_FurtherForm]) -> Iterator[Block]:
     letter = next(p for p in first.question.parts if isinstance(p, Math))
     each, none = ("either of them", "neither") if len(refs) == 2 else ("each of them", "none of them")
     yield prose(*listed(refs), " are not exact either: for ", refs[0], ", ", *pair, ". With ", letter, f" for {each}, ",
-                *first.product, f", {first.does_not} not vanish: {none} is integrable.")  # fmt: skip
+                *first.product, f", {first.does_not} not vanish identically: {none} is integrable.")  # fmt: skip
 
 
 def freedom_in_one(steps: Iterable[Step]) -> Iterator[Step]:

@@ -42,6 +42,7 @@ from lagrange.mechanics.meaning import ResultMeaning
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
+from lagrange.mechanics.rewriting.integrals import is_multiple_of, without_constants
 from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquations, one_way
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 from lagrange.problem.model import Problem
@@ -71,7 +72,7 @@ def explain_meaning(
     form = meaning.view.in_speeds
     speeds = form is not None and form.equations is not None
     body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated), *_with_held(meaning, stated)]
-    body += _conserved(conserved, meaning.view.conserved, labels, unbound=speeds or finite)
+    body += _conserved(conserved, meaning.view.conserved, labels, stated, unbound=speeds or finite)
     body += _accelerations(meaning)
     body += _one_way(meaning)
     body += by_quadrature(problem, form) if problem is not None else ()
@@ -165,18 +166,24 @@ _CALLED = {
 
 
 def _conserved(
-    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, unbound: bool
+    step: Step | None,
+    conserved: Conserved | None,
+    labels: Collection[str | None] | None,
+    stated: StatedEquations = (),
+    *,
+    unbound: bool,
 ) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
-    telling = tuple(i for i in kept if not _is_seen(i, conserved))
-    kept = telling or kept
-    unbound = unbound or len(kept) > 1
+    several = len(kept) > 1
+    telling = tuple(i for i in kept if not _is_seen(i, conserved, stated))
+    kept = tuple(without_constants(i, conserved.motion.configuration) for i in telling or kept)
+    unbound = unbound or several
     taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
     bound = {} if unbound else {q: p for q, p in conserved.bound.items() if q not in taken}
-    if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
+    if kept != conserved.integrals or len(bound) < len(conserved.bound):
         conserved = replace(conserved, integrals=kept, bound=bound)
         made = explain_conserved(conserved, step.choice)
         if made is None:
@@ -222,8 +229,18 @@ def _in_sentences(
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".", purpose=purpose)
 
 
-def _is_seen(integral: Integral, conserved: Conserved) -> bool:
-    """Whether it is a spin whose acceleration is zero by one of the equations of motion; a momentum is worth a line."""
+def _is_seen(integral: Integral, conserved: Conserved, stated: StatedEquations) -> bool:
+    """Whether it is a spin whose acceleration is zero by one of the equations of motion; a momentum is worth a line.
+
+    With the constraints it may be a multiple of a velocity of which the equations at the head of the page say so.
+    """
+    steady = [
+        prime(base(left))
+        for left, *_, right in stated
+        if right == 0 and left.is_Symbol and left == prime(base(left), 2)
+    ]
+    if any(is_multiple_of(integral.expression, v, conserved.motion.configuration) for v in steady):
+        return True
     if quantity_of(integral, conserved.motion.configuration) is ConservedQuantity.MOMENTUM:
         return False
     final = {e.expression for e in conserved.motion.equations}
