@@ -38,6 +38,9 @@ LONGEST_INTEGRAL_IN_ROOTS = 40
 HIGHEST_POWER_OF_UNIT = 2
 """The highest power of a base unit in a unit that is worth naming: kg m²/s² is known, kg m⁴/s⁵ is not."""
 
+MOST_AT_REST = 2
+"""The most coordinates of a system whose positions of rest are sought without being asked for."""
+
 MOST_LIMITS = 2
 """The most limits of one problem."""
 

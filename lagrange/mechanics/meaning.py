@@ -32,7 +32,13 @@ from lagrange.mechanics.consequences.limiting_cases import (
     massless_bodies,
 )
 from lagrange.mechanics.dynamics.equations import WithEliminatedRates
-from lagrange.mechanics.limits import HIGHEST_POWER_OF_UNIT, LONGEST_PART, LONGEST_WITH_LIMITS, LONGEST_WITH_UNITS
+from lagrange.mechanics.limits import (
+    HIGHEST_POWER_OF_UNIT,
+    LONGEST_PART,
+    LONGEST_WITH_LIMITS,
+    LONGEST_WITH_UNITS,
+    MOST_AT_REST,
+)
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 from lagrange.mechanics.rewriting.held_coordinates import without_given_rates
@@ -67,7 +73,7 @@ class ContactEnds:
 class ResultMeaning:
     """What the result says in one set of coordinates.
 
-    small  rest and small motion of one degree of freedom
+    small  rest and small motion of one or two degrees of freedom
     terms  two terms of the first equation of motion, and the unit that all of its terms have
     constant  the accelerations, where all of them are constant; those that are, under a nonlinear constraint
     turning   two coordinates that run on a circle, or whose oscillation turns
@@ -126,12 +132,16 @@ def _reactions(solution: Solution, view: InCoordinates) -> dict[sp.Symbol, sp.Ex
 def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     motion = view.motion
     stated = view.linearization is not None or view.equilibrium is not None
-    if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) != 1:
+    if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) > MOST_AT_REST:
         return None
+    if len(motion.equations) > 1 and solution.problem.initial:
+        return None  # it is about one motion
     if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
         return None
-    [equation] = motion.expressions
-    if equation.has(Unspecified) or count_operations(equation) > LONGEST_WITH_LIMITS:
+    equations = motion.expressions
+    if any(e.has(Unspecified) for e in equations) or sum(map(count_operations, equations)) > LONGEST_WITH_LIMITS:
+        return None
+    if len(equations) > 1 and any(e.has(t) for e in equations):
         return None
     from lagrange.mechanics.equilibrium.linearization import linearization
 

@@ -31,9 +31,10 @@ from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
-from lagrange.explain.page.limiting import explain_limit, explain_massless, period_of
+from lagrange.explain.page.limiting import explain_limit, explain_massless
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
+from lagrange.explain.page.positions import explain_rest
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.circular_motion import Turning
@@ -48,7 +49,7 @@ from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.linearization import SmallOscillations
+    pass
 
 
 def explain_meaning(
@@ -79,7 +80,7 @@ def explain_meaning(
     body += _turning(meaning)
     if meaning.consequences is not None:
         body += explain_consequences(meaning.consequences, meaning.view)
-    body += _rest(meaning)
+    body += explain_rest(meaning.small)
     final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
     body += (explain_limit(limit, final) for limit in meaning.limits)
     body += explain_massless(meaning.massless)
@@ -416,71 +417,6 @@ def _unused(meaning: ResultMeaning, names: Sequence[str]) -> list[str]:
     motion = meaning.view.motion
     taken = set() if motion is None else {s.name for e in motion.final for s in e.expression.free_symbols}
     return [name for name in names if name not in taken][:2]
-
-
-def _rest(meaning: ResultMeaning) -> Iterator[Block]:
-    """`At rest: θ = 0, stable; θ = π, unstable. Small motion about the first: period 2π √(l/g).`"""
-    if meaning.small is None:
-        return
-    small = meaning.small
-    places: list[tuple[Part, ...]] = []
-    periods: list[Block] = []
-    for branch, at in zip(small.branches, small.at, strict=True):
-        if branch.left or branch.conditions or len(branch.relations) != 1 or at is None:
-            return  # the places are not as simple as a line
-        place = math(branch.relations[0].lhs, branch.relations[0].rhs)
-        verdict = stability_word(at)
-        if verdict is None:
-            return
-        places.append((place, f", {verdict}"))
-        period = _period(at)
-        if period is not None:
-            equation = math(at.equations[0], sp.S.Zero)
-            [xi] = small.displacements
-            q = _coordinate(meaning)
-            near = math(q, branch.relations[0].rhs + xi) if branch.relations[0].lhs == q else place
-            motion = (": ", near, ", ", equation, ", with the period ")
-            periods.append(prose(Emphasis("Small motion"), *motion, math(period), ".", purpose=Purpose.SMALL_MOTION))
-    if places:
-        yield prose(Emphasis("At rest"), ": ", *_joined(places), ".", purpose=Purpose.AT_REST)
-    yield from periods
-
-
-def _joined(items: Sequence[tuple[Part, ...]]) -> tuple[Part, ...]:
-    parts: list[Part] = []
-    for n, item in enumerate(items):
-        parts += ["; " if n else "", *item]
-    return tuple(parts)
-
-
-def _coordinate(meaning: ResultMeaning) -> sp.Symbol:
-    [q] = meaning.view.configuration.slots.coordinates
-    return q
-
-
-def stability_word(at: SmallOscillations) -> str | None:
-    """`stable` or `unstable`; None if this needs qualification."""
-    from lagrange.mechanics.equilibrium.linear_stability import Ground
-    from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-
-    verdict = at.judgement.stability.verdict
-    if at.judgement.stability.presupposed or at.judgement.stability.conditions:
-        return None
-    if verdict is StabilityVerdict.STABLE and at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ):
-        return "asymptotically stable" if at.judgement.asymptotic else "stable"
-    return "unstable" if verdict is StabilityVerdict.UNSTABLE else None
-
-
-def _period(at: SmallOscillations) -> sp.Expr | None:
-    """2π/ω, where the motion is an oscillation with a positive ω²."""
-    from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-
-    if not at.oscillates or at.judgement.stability.verdict is not StabilityVerdict.STABLE or len(at.frequencies) != 1:
-        return None
-    square = at.frequencies[0].square
-    if square is None or not square.is_positive:
-        return None
-    return period_of(square)
 
 
 def _contact(meaning: ResultMeaning) -> Iterator[Block]:
