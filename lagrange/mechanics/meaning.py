@@ -24,6 +24,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.units import NO_DIMENSION, unit_of_dimension
 from lagrange.mechanics.circular_motion import Turning, turning
+from lagrange.mechanics.consequences.course import Released, Sense, released, sense
 from lagrange.mechanics.consequences.gathered import Consequences, consequences
 from lagrange.mechanics.consequences.limiting_cases import (
     LimitingCase,
@@ -81,6 +82,8 @@ class ResultMeaning:
     consequences  constant vectors, limits in time, beats, resonances
     ends      up to which velocity contact lasts
     massless  the constant accelerations if the bodies that turn have no inertia
+    sense     whether what slides speeds up or stops
+    released  where a system released from rest loses contact
     """
 
     view: InCoordinates
@@ -94,6 +97,8 @@ class ResultMeaning:
     consequences: Consequences | None = None
     ends: tuple[ContactEnds, ...] = ()
     massless: MasslessBodies | None = None
+    sense: Sense | None = None
+    released: tuple[Released, ...] = ()
 
 
 def meaning(solution: Solution) -> ResultMeaning | None:
@@ -114,6 +119,8 @@ def meaning(solution: Solution) -> ResultMeaning | None:
         consequences(solution, view),
         tuple(_ends(solution, view, reactions)),
         massless_bodies(solution, view, constant),
+        sense(solution, view),
+        tuple(released(solution, view, reactions, _pushing(solution))),
     )
 
 

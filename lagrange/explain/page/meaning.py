@@ -31,6 +31,7 @@ from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
+from lagrange.explain.page.course import explain_released, explain_sense, explain_swinging
 from lagrange.explain.page.limiting import explain_limit, explain_massless
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
@@ -38,6 +39,7 @@ from lagrange.explain.page.positions import explain_rest
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.circular_motion import Turning
+from lagrange.mechanics.consequences.course import swinging_rate
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import ResultMeaning
 from lagrange.mechanics.results import InCoordinates
@@ -75,6 +77,7 @@ def explain_meaning(
     body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated), *_with_held(meaning, stated)]
     body += _conserved(conserved, meaning.view.conserved, labels, stated, unbound=speeds or finite)
     body += _accelerations(meaning)
+    body += explain_swinging(swinging_rate(stated, meaning.view))
     body += _one_way(meaning)
     body += by_quadrature(problem, form) if problem is not None else ()
     body += _turning(meaning)
@@ -84,7 +87,9 @@ def explain_meaning(
     final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
     body += (explain_limit(limit, final) for limit in meaning.limits)
     body += explain_massless(meaning.massless)
+    body += explain_sense(meaning.sense)
     body += _contact(meaning)
+    body += explain_released(meaning.released)
     body += _units(meaning)
     body += _caution(meaning)
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
