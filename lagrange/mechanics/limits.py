@@ -41,6 +41,12 @@ HIGHEST_POWER_OF_UNIT = 2
 MOST_AT_REST = 2
 """The most coordinates of a system whose positions of rest are sought without being asked for."""
 
+LONGEST_COMBINED = 400
+"""The most operations of equations of motion, constraints and stated equations of which multiples are sought."""
+
+LONGEST_MULTIPLE = 12
+"""The most operations of such a multiple."""
+
 MOST_LIMITS = 2
 """The most limits of one problem."""
 

@@ -31,6 +31,7 @@ from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
+from lagrange.explain.page.combined import explain_combined
 from lagrange.explain.page.course import explain_released, explain_sense, explain_swinging
 from lagrange.explain.page.limiting import explain_limit, explain_massless
 from lagrange.explain.page.motion import by_quadrature
@@ -43,6 +44,7 @@ from lagrange.mechanics.consequences.course import swinging_rate
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import ResultMeaning
 from lagrange.mechanics.results import InCoordinates
+from lagrange.mechanics.rewriting.combinations import combinations
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
 from lagrange.mechanics.rewriting.integrals import is_multiple_of, without_constants
@@ -62,6 +64,7 @@ def explain_meaning(
     problem: Problem | None = None,
     *,
     finite: bool = False,
+    plain: StatedEquations = (),
 ) -> Step | None:
     """The step; None if there is nothing to say.
 
@@ -69,12 +72,17 @@ def explain_meaning(
     stated     the equations of motion in another form, known to be right
     labels     of the equations on the page; None: all of them
     problem    for its initial state
+    plain      the stated equations without names for quantities
     finite     whether the constraints are finite relations: of momenta that these bind nothing is said
     """
     choice = meaning.view.name
     form = meaning.view.in_speeds
     speeds = form is not None and form.equations is not None
-    body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated), *_with_held(meaning, stated)]
+    body: list[Block] = [
+        *_in_short(meaning, stated, plain or stated),
+        *_freed(meaning, stated),
+        *_with_held(meaning, stated),
+    ]
     body += _conserved(conserved, meaning.view.conserved, labels, stated, unbound=speeds or finite)
     body += _accelerations(meaning)
     body += explain_swinging(swinging_rate(stated, meaning.view))
@@ -114,7 +122,7 @@ def are_solved(view: InCoordinates, stated: StatedEquations, operations: int) ->
     return whole and alone and operations_of_equations(stated) <= LONGER_SOLVED * operations
 
 
-def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
+def _in_short(meaning: ResultMeaning, stated: StatedEquations, plain: StatedEquations) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion, form = meaning.view.motion, meaning.view.in_speeds
     if motion is None or not stated or are_same_equations(stated, [e.expression for e in motion.final]):
@@ -131,7 +139,8 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
     if operations_of_equations(stated) < operations or (
         motion.completing and are_solved(meaning.view, stated, operations)
     ):
-        yield prose(Emphasis("In short"), ",", purpose=Purpose.IN_SHORT)
+        how = explain_combined(combinations(plain, meaning.view), motion)
+        yield prose(Emphasis("In short"), ",", *how, purpose=Purpose.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
