@@ -33,6 +33,7 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.declared import patch
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, place, plus, projected, unit
+from lagrange.pictures.implied.guides import surface_of_coordinates
 from lagrange.pictures.limits import SAME_PLACE
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.sketch import PARTICLE, Sketch, toward
@@ -198,7 +199,8 @@ def _carried(solution: Solution) -> sp.Expr | str:
 def _function(solution: Solution) -> Unspecified:
     """The function f of the surface f = const."""
     [relation] = (sp.sympify(f, strict=True) for f in solution.own.configuration.finite_constraints)
-    return next(iter(sp.sympify(relation, strict=True).atoms(Unspecified)))
+    function: Unspecified = next(iter(sp.sympify(relation, strict=True).atoms(Unspecified)))
+    return function
 
 
 def surface_free_body(solution: Solution, notation: Notation) -> Scene | None:
@@ -297,6 +299,9 @@ def constraints_in_space(system: SystemPicture) -> InSpace:
                 grids.append(surface(field, here))
             elif _is_on_table(system, p):
                 tables.append(_table(here))
+            else:
+                grid = surface_of_coordinates(system, p)
+                grids += [grid] if grid else []
     return InSpace(tuple(grids), tuple(curves), tuple(tables))
 
 
