@@ -267,3 +267,17 @@ forces: {drag: {on: rocket, vector: "-c*y'*j"}}
     page = terminal.text(explained.derivation, explained.notation, 100)
     assert "q = 15 kg/s" in page
     assert "c = 3 N s/m" in page
+
+
+def test_or_between_positions_comes_after_their_numbers() -> None:
+    text = """title: Two cords to one point
+parameters: {W: {value: 10 N}, a: {value: 3 m}, b: {value: 5 m}}
+coordinates: [x, y]
+particles: {P: {position: x*i + y*j}}
+constraints: {left: (x + a)^2 + y^2 = b^2, right: (x - a)^2 + y^2 = b^2}
+forces: {weight: {on: P, vector: -W*j}}
+find: equilibrium
+"""
+    head = page(reported(text)).split("1  The system")[0]
+    assert "or, that is" not in head
+    assert "that is y = 4 m, or" in head or "that is y = −4 m, or" in head, head
