@@ -144,6 +144,9 @@ def _is_direct(asked: Asked) -> bool:
 
 def _terms_of(asked: Asked) -> Prose:
     values = [u.value for u in asked.used]
+    if asked.route is Route.IMPACT:
+        return prose("In the impact the reactions have the impulses" if len(values) > 1 else
+                     "In the impact the reaction has the impulse")  # fmt: skip
     if any(_moves(e) for e in values):
         return prose("In terms of position and velocity,", purpose=Purpose.IN_TERMS_OF)
     if any(not s.is_positive for e in values for s in e.free_symbols):
@@ -399,6 +402,8 @@ def _how(asked: Asked) -> tuple[Part, ...]:
         return ("Therefore",)
     if asked.route is Route.STATE:
         return ("In this state",)
+    if asked.route is Route.IMPACT:
+        return ("Hence",)
     if asked.route is Route.STABILITY:
         return ("There the forces balance for every value. By the second variation it is the limit of stability:",)
     if asked.route is Route.REST:

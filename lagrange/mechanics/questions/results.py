@@ -42,6 +42,7 @@ class Route(StrEnum):
     ORBIT = "orbit"  # r as a function of the angle, round a centre
     NUMBERS = "numbers"  # numerical integration
     STABILITY = "stability"  # where an equilibrium that exists for every value of a parameter becomes unstable
+    IMPACT = "impact"  # the impulses of reactions in an impact
     REST = "rest"  # the balance of forces and the constraints, in a position of equilibrium
 
 
