@@ -296,10 +296,10 @@ def asked_in_text(
     verdicts = {p.verdict for p in parts}
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
-    verdict = AnswerVerdict(whole, tuple(parts), name="ask")
+    together = AnswerVerdict(whole, tuple(parts), name="ask")
     if whole is Verdict.WRONG:
-        verdict = with_stated_forces(verdict, [(p.part, Fragment.of(p.text)) for p in parts], solution)
-    return AskedInText(verdict, tuple(rest), missing)
+        together = with_stated_forces(together, [(p.part, Fragment.of(p.text)) for p in parts], solution)
+    return AskedInText(together, tuple(rest), missing)
 
 
 _POTENTIAL = re.compile(r"[\s$&]*(?:\\mathcal\s*\{?\s*)?(?P<name>[VU])\s*\}?\s*(?:\([^()=]{0,20}\))?\s*&?=(?!=)")
