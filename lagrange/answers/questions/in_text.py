@@ -51,6 +51,7 @@ _SECOND_VARIATION = re.compile(
     r"\s*\$?\s*(?:[VUEΠ](?:''|″|_\{?\w\w\}?\s)|d\s*(?:\^\s*2|²)\s*[VUEΠ]|\\frac\s*\{\s*d\s*\^\s*\{?2\}?\s*[VUE])"
 )
 """The second derivative of a potential energy, which is working."""
+_SMALL = re.compile(r"small|lineari[sz]|klein", re.IGNORECASE)
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
 _JUDGED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG)
 _MAY_BE_ENERGY = re.compile(r"[\s$&]*(?:T|K)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
@@ -386,12 +387,19 @@ def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
 
 
 def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement | None:
-    """The verdict on what accompanies correct frequencies; None for the linearized equations, which are working."""
+    """The verdict on what accompanies frequencies; None for linearized equations that are right, which are working."""
+    from lagrange.answers.questions.linear_equations import check_linearized
     from lagrange.answers.written.working import understood
 
     working = understood(rest, reference_of_solution(solution))
     if working.judged and len(working.approximate) == len(working.judged):
         return _linear_beside(working, solution)
+    if working.judged and 0 in working.approximate and not working.unreadable:
+        linear = check_linearized(rest, solution)
+        if linear is not None and linear.verdict is not Verdict.WRONG:
+            return None
+        if linear is not None and any(map(_SMALL.search, {f.whole.source.text for f in rest})):
+            return _only(linear, solution)
     return _with_positions(rest, solution, judge) if working.judged or working.unreadable else None
 
 

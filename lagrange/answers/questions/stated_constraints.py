@@ -236,7 +236,13 @@ def _changed(components: Sequence[sp.Expr], solution: Solution) -> str:
     from lagrange.answers.results.constraints import explained_constraint
 
     moving = [q for v in solution.views for q in v.configuration.slots.coordinates]
-    return explained_constraint(components, moving, lambda e: _judged((e,), solution)[0] is Verdict.EQUIVALENT)
+    configuration = solution.own.configuration
+    rows = [row.velocity_form(configuration.slots) for row in configuration.rows if row.nonlinear is None]
+
+    def holds(e: sp.Expr) -> bool:
+        return _judged((e,), solution)[0] is Verdict.EQUIVALENT or bool(_up_to_a_constant((e,), solution))
+
+    return explained_constraint(components, moving, rows, holds)
 
 
 def _conditions(e: sp.Expr, configuration: Configuration) -> Sequence[sp.Expr]:

@@ -32,7 +32,7 @@ import sympy as sp
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.limits import LONGEST_RUN_OF_LETTERS
-from lagrange.answers.questions.asked_quantities import check_asked, claims_of
+from lagrange.answers.questions.asked_quantities import check_asked, claims_of, with_stated_forces
 from lagrange.answers.questions.named_values import NOT_EQUAL, at_a_value, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -324,7 +324,10 @@ def asked_in_text(
     verdicts = {p.verdict for p in parts}
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
-    return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+    asked = AnswerVerdict(whole, tuple(parts), name="ask")
+    if whole is Verdict.WRONG:
+        asked = with_stated_forces(asked, [(p.part, Fragment.of(p.text)) for p in parts], solution)
+    return AskedInText(asked, tuple(rest), missing)
 
 
 _ELSEWHERE = "it is right for the place that is stated, at which it is not asked for"
