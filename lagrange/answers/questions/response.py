@@ -240,7 +240,11 @@ def check_response_in_text(
             solved.append(line)
     unknown = _undamped(working, coordinates, responses)
     rows: list[sp.Expr] = []
-    for f in working.judged:
+    approximate: list[Fragment] = []
+    for n, f in enumerate(working.judged):
+        if n in working.approximate and _moves(f, reference):
+            approximate.append(f)
+            continue
         if not isinstance(f, GivenEquation) or len(f.reading.components) != 1:
             return None
         [e] = f.reading.components
@@ -288,7 +292,19 @@ def check_response_in_text(
     why = f"the amplitude of {', '.join(missing)} is missing" if missing else ""
     defined = [f"`{p.text}`" for p in parts if p.text in amplitudes]
     notes = tuple(n for n in working.notes if not any(f"defines {name}," in n.message for name in defined))
+    notes += tuple(
+        Diagnostic(
+            "not-judged", f"`{f.text.strip()}` is marked as an approximation, and is not judged", f.whole
+        ).as_note()
+        for f in approximate
+    )
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=notes, diagnosis=why)
+
+
+def _moves(fragment: Fragment, reference: Reference) -> bool:
+    """Whether accelerations occur in an equation."""
+    components = fragment.reading.components if isinstance(fragment, GivenEquation) else ()
+    return any(not e.free_symbols.isdisjoint(reference.scope.slots.accelerations) for e in components)
 
 
 def _with_causes(
