@@ -34,11 +34,17 @@ from lagrange.values.quantities import Quantity, Values, degrees
 
 
 def result_at_rest(
-    view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr], newton: Newton | None, *, held: bool = False
+    view: InCoordinates,
+    values: Mapping[sp.Symbol, sp.Expr],
+    newton: Newton | None,
+    *,
+    held: bool = False,
+    sought: Collection[sp.Symbol] = (),
 ) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates.
 
-    held  whether the constraints leave no degree of freedom: then the forces are what is sought
+    held    whether the constraints leave no degree of freedom: then the forces are what is sought
+    sought  the unknown forces of the file
     """
     forces = () if view.reactions_at_rest is None else view.reactions_at_rest.at
     kept = range(len(forces)) if newton is None else possible(forces, newton, values)  # of all, the page says why not
@@ -50,8 +56,12 @@ def result_at_rest(
         yield Rule.SOLVED_REACTIONS, [e for e in lines if e.sides[0] in named]
     conditions = [*_friction(view, values)]
     yield Rule.FRICTION_AT_REST, conditions
-    if view.at_rest is not None and (held or not conditions):
-        yield Rule.SOLVED_REACTIONS, [*_forces(view.at_rest)]
+    if view.at_rest is not None:
+        forces_there = [*_forces(view.at_rest)]
+        all_of_them = held or not conditions
+        yield Rule.SOLVED_REACTIONS, [e for e in forces_there if all_of_them or e.sides[0] in sought]
+    elif newton is not None and sought:
+        yield Rule.SOLVED_REACTIONS, [*_at_the_limit(view, newton)]
     if view.steady is not None:
         lines = [*_steady(view.steady), *_about_steady(view.steady)]
         yield Rule.STEADY, [e for e in lines if e.operations <= LONGEST_FREQUENCY]
@@ -178,6 +188,19 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
             said = lines[-1].condition
             lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))
         yield from lines
+
+
+def _at_the_limit(view: InCoordinates, newton: Newton) -> Iterator[Equation]:
+    """The named reactions where slip impends, if it does in one way, and in whatever position."""
+    motions = view.impending or ()
+    if len(motions) != 1 or len(motions[0].equilibrium.branches) != 1:
+        return
+    [m] = motions
+    pressed = m.pressed_with(m.equilibrium.branches[0])
+    coordinates = {*view.configuration.slots.coordinates}
+    for r in newton.reactions:
+        if r.given is not None and pressed[r.name].free_symbols.isdisjoint(coordinates):
+            yield Equation((r.force, pressed[r.name]))
 
 
 def _forces(rest: AtRest) -> Iterator[Equation]:
