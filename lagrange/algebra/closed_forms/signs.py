@@ -97,6 +97,8 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
         return signs.pop()
     if (beyond := _of_more_than_known(f, known)) is not None:
         return beyond
+    if known and (raised := _without_common_power(f)) != f and (same := _of_factor(raised, known)) is not None:
+        return same  # 2 √U > √(2m) v, where 2 U > m v² is known: conditions are stated without roots
     growing = {e: 1 + sp.Dummy(positive=True) for e in f.atoms(sp.exp) if _of_product(e.args[0], known) == 1}
     if growing:
         return _of_product(_factored(sp.expand(f.xreplace(growing))), known)

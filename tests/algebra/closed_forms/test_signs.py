@@ -216,3 +216,12 @@ def test_a_positive_power_is_no_part_of_a_condition() -> None:
     found = more_than_zero(r**n * (a * r - r**2) * sp.exp(-r / a), [r])
     assert (found.lhs, found.relation, found.rhs) == (a, ">", r)
     assert more_than_zero(r**n * (a - r)).lhs.has(n)  # r^n of a negative r has no sign
+
+
+def test_a_difference_of_roots_has_the_sign_that_its_squares_are_known_to_have() -> None:
+    m, U, v = sp.symbols("m U v", positive=True)
+    e = 2 * sp.sqrt(U) - sp.sqrt(2) * sp.sqrt(m) * v
+    assert sign_of(e) is None
+    assert sign_of(e, [4 * U - 2 * m * v**2]) == 1
+    assert sign_of(-e, [4 * U - 2 * m * v**2]) == -1
+    assert sign_of(e, [2 * m * v**2 - 4 * U]) == -1
