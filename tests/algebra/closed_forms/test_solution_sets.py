@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.solution_sets import parts
+from lagrange.algebra.closed_forms.solution_sets import Branch, parts, plain_sides
 from lagrange.algebra.exact.zero_test import is_zero
 from tests.support.found_solutions import ALPHA, POSITIVE
 from tests.support.work import units
@@ -130,3 +130,31 @@ def test_the_parts_of_an_expression() -> None:
     theta, x, a = ANGLES["theta"], PLAIN["x"], POSITIVE["a"]
     e = (a + 3 * sp.sin(theta) ** 2) ** -2 * sp.sqrt(x + a) + sp.pi + sp.sin(theta) * abs(x)
     assert {*parts(e)} == {a, sp.sin(theta), sp.sqrt(x + a), abs(x)}
+
+
+def test_sides_of_a_relation_between_positive_letters() -> None:
+    h, r, x = sp.Symbol("h", positive=True), sp.Symbol("r", positive=True), sp.Symbol("x", real=True)
+    assert plain_sides(3 * r**2 - h**2) == (h, sp.sqrt(3) * r)
+    assert plain_sides(r**2 - x**2) == (r**2, x**2), "x may be negative"
+    assert plain_sides(r**2 - 2 * h) == (r**2, 2 * h)
+    assert plain_sides(r**2 + h**2 - 4 * x) == (r**2 + h**2, 4 * x)
+
+
+def test_an_equation_between_two_angles_that_is_left_is_stated_by_their_tangents() -> None:
+    a, b = ANGLES["theta"], ANGLES["phi"]
+    length, c, w, q = sp.symbols("l c W Q", positive=True)
+    closed = length * sp.cos(a) + length * sp.cos(b) - c
+
+    def stated(e: sp.Expr, *others: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        relation = Branch((), left=(*others, e)).equations[-1]
+        return relation.lhs, relation.rhs
+
+    chain = 3 * sp.cos(a) * sp.sin(b) - sp.sin(a) * sp.cos(b)
+    assert stated(chain, closed) == (sp.tan(a), 3 * sp.tan(b))
+    assert stated(chain.xreplace({a: b, b: a}), closed) == (sp.tan(b), 3 * sp.tan(a))
+    weighted = (w + 2 * q) * sp.sin(a) * sp.cos(b) - q * sp.cos(a) * sp.sin(b)
+    assert stated(sp.expand(weighted), closed) == (sp.tan(b), (w + 2 * q) / q * sp.tan(a))
+    assert stated(chain) == (chain, 0), "both cosines may vanish"
+    assert stated(sp.cos(a) * sp.cos(b) - sp.sin(a) * sp.sin(b), closed)[1] == 0
+    difference = (w - q) * sp.sin(a) * sp.cos(b) - q * sp.cos(a) * sp.sin(b)
+    assert stated(difference, closed) == (difference, 0), "the coefficient may vanish"
