@@ -339,6 +339,7 @@ class _Wrong:
         yield from self._varied(Variation(f"with {a} and {b} exchanged", "", rule={a: b, b: a}) for a, b in pairs)
         if self.problem is not None:
             yield from filter(None, [self.tried.of_differential(self.problem)])
+            yield from _equilibria(self.tried.of_one_force(self.problem, changing=True))
         yield from self._varied(v for v in variations if v.rule and v.clause.endswith("exchanged"))
         yield from self._varied(angles_and_lengths(self.stated, e))
         yield from self._with_sides(other_waves(self.wrong, slots.coordinates))

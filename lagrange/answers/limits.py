@@ -328,6 +328,9 @@ MOST_IN_SERIES = 4
 MOST_RESTING_FORCES = 8
 """Forces of a system at rest whose contributions to a wrong answer are compared one by one."""
 
+SHORTEST_RATIO = 6
+"""Operations of a ratio of contributions at rest that may contain a length which changes: l/x, l/(x - r cos(theta))."""
+
 RATIO_OPERATIONS = 12
 """Operations in a ratio of what a force contributes to what it should: a longer one is no single mistake."""
 

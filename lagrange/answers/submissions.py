@@ -64,9 +64,10 @@ _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-+*]\s+)?")
 _NUMBER = re.compile(r"(?:\(\s*(?P<round>[0-9]{1,2})\s*\)\s*|(?P<point>[0-9]{1,2})\.\s+)")
 _ENUMERATION = re.compile(r"(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\s?\)\s*")
 _LABEL = re.compile(
-    r"[^=:\\${}()+*/^<>≤≥;]{0,60}:(?!=)\s*|[^\W\d_][^=:\\${}()+*/^]{2,40}\s\((?:at\s+)?[^()=:]{1,12}=[^()=:]{1,12}\)\s*:(?!=)\s*"
+    r"[^=:\\${}()+*/^<>≤≥;]{0,60}:(?!=)\s*|\s*(?:for|if|when|where|für|wenn|falls|pour|si)\s[^=:\\${}()+*/^;]{0,60}:(?!=)\s*"
+    r"|[^\W\d_][^=:\\${}()+*/^]{2,40}\s\((?:at\s+)?[^()=:]{1,12}=[^()=:]{1,12}\)\s*:(?!=)\s*"
 )
-"""`Eq. 1:`, `Top (θ = π):` before an equation."""
+"""`Eq. 1:`, `for x' > 0:`, `Top (θ = π):` before an equation. Any other inequality before a colon is a statement."""
 _LABEL_WITH_MATHEMATICS = re.compile(
     r"(?=[^=:\\${}\n]*[^\W\d_]{2})[^=:\\${}\n<>≤≥]{1,80}(?<=[\w)]):(?!=)\s+(?=[^=:]*=)"
 )

@@ -24,6 +24,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.units import NO_DIMENSION, unit_of_dimension
 from lagrange.mechanics.circular_motion import Turning, turning
+from lagrange.mechanics.consequences.course import Released, Sense, released, sense
 from lagrange.mechanics.consequences.gathered import Consequences, consequences
 from lagrange.mechanics.consequences.limiting_cases import (
     LimitingCase,
@@ -32,7 +33,13 @@ from lagrange.mechanics.consequences.limiting_cases import (
     massless_bodies,
 )
 from lagrange.mechanics.dynamics.equations import WithEliminatedRates
-from lagrange.mechanics.limits import HIGHEST_POWER_OF_UNIT, LONGEST_PART, LONGEST_WITH_LIMITS, LONGEST_WITH_UNITS
+from lagrange.mechanics.limits import (
+    HIGHEST_POWER_OF_UNIT,
+    LONGEST_PART,
+    LONGEST_WITH_LIMITS,
+    LONGEST_WITH_UNITS,
+    MOST_AT_REST,
+)
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 from lagrange.mechanics.rewriting.held_coordinates import without_given_rates
@@ -67,7 +74,7 @@ class ContactEnds:
 class ResultMeaning:
     """What the result says in one set of coordinates.
 
-    small  rest and small motion of one degree of freedom
+    small  rest and small motion of one or two degrees of freedom
     terms  two terms of the first equation of motion, and the unit that all of its terms have
     constant  the accelerations, where all of them are constant; those that are, under a nonlinear constraint
     turning   two coordinates that run on a circle, or whose oscillation turns
@@ -75,6 +82,8 @@ class ResultMeaning:
     consequences  constant vectors, limits in time, beats, resonances
     ends      up to which velocity contact lasts
     massless  the constant accelerations if the bodies that turn have no inertia
+    sense     whether what slides speeds up or stops
+    released  where a system released from rest loses contact
     """
 
     view: InCoordinates
@@ -88,6 +97,8 @@ class ResultMeaning:
     consequences: Consequences | None = None
     ends: tuple[ContactEnds, ...] = ()
     massless: MasslessBodies | None = None
+    sense: Sense | None = None
+    released: tuple[Released, ...] = ()
 
 
 def meaning(solution: Solution) -> ResultMeaning | None:
@@ -108,6 +119,8 @@ def meaning(solution: Solution) -> ResultMeaning | None:
         consequences(solution, view),
         tuple(_ends(solution, view, reactions)),
         massless_bodies(solution, view, constant),
+        sense(solution, view),
+        tuple(released(solution, view, reactions, _pushing(solution))),
     )
 
 
@@ -126,12 +139,16 @@ def _reactions(solution: Solution, view: InCoordinates) -> dict[sp.Symbol, sp.Ex
 def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     motion = view.motion
     stated = view.linearization is not None or view.equilibrium is not None
-    if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) != 1:
+    if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) > MOST_AT_REST:
         return None
+    if len(motion.equations) > 1 and solution.problem.initial:
+        return None  # it is about one motion
     if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
         return None
-    [equation] = motion.expressions
-    if equation.has(Unspecified) or count_operations(equation) > LONGEST_WITH_LIMITS:
+    equations = motion.expressions
+    if any(e.has(Unspecified) for e in equations) or sum(map(count_operations, equations)) > LONGEST_WITH_LIMITS:
+        return None
+    if len(equations) > 1 and any(e.has(t) for e in equations):
         return None
     from lagrange.mechanics.equilibrium.linearization import linearization
 
@@ -143,9 +160,16 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
         return None
     if not small.complete:
         return None
-    here = [k for k, b in enumerate(small.branches) if not _is_let_go(solution, view, b)]
+    here = [k for k, b in enumerate(small.branches) if not (_is_let_go(solution, view, b) or _is_at_end(view, b))]
     small = replace(small, branches=tuple(small.branches[k] for k in here), at=tuple(small.at[k] for k in here))
     return small if small.branches else None
+
+
+def _is_at_end(view: InCoordinates, place: Branch) -> bool:
+    """Whether the coordinate is at an end of its range, from which it can only move one way."""
+    ranges = view.configuration.ranges
+    ends = ((r.lhs, r.rhs, ranges[r.lhs]) for r in place.relations if r.lhs in ranges)
+    return any(is_zero(value - end) is True for _, value, span in ends for end in (span.low, span.high))
 
 
 def _is_let_go(solution: Solution, view: InCoordinates, place: Branch) -> bool:

@@ -274,6 +274,7 @@ def patch(
     rows, columns = len(grid) - 1, len(grid[0]) - 1
     sides = [[row[0] for row in grid], [row[-1] for row in grid]]
     meets = all(math.dist(a, b) < SAME_ON_PAGE for a, b in zip(*sides, strict=True))  # all around an axis
+    closed = meets or all(math.dist(a, b) < 0.01 for a, b in zip(grid[0], grid[-1], strict=True))
     for m in range(rows):
         for n in range(columns):
             corners = [grid[m][n], grid[m + 1][n], grid[m + 1][n + 1], grid[m][n + 1]]
@@ -281,7 +282,7 @@ def patch(
             if math.hypot(*normal) < 1e-12:
                 continue
             bright = abs(inner(unit(normal), light))
-            shade = 2 if bright > 0.75 or not meets else 3 if bright > 0.4 else 4
+            shade = 2 if bright > 0.75 or not closed else 3 if bright > 0.4 else 4
             depth = sum(inner(c, view.toward_reader) for c in corners) / 4
             sketch.face([page(c) for c in corners], shade, depth - 1e3, StrokeKind.FACE)
     edges = [*([] if meets else sides), list(grid[0]), list(grid[-1])]

@@ -33,6 +33,7 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.declared import patch
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, place, plus, projected, unit
+from lagrange.pictures.implied.guides import surface_of_coordinates
 from lagrange.pictures.limits import SAME_PLACE
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.sketch import PARTICLE, Sketch, toward
@@ -298,6 +299,9 @@ def constraints_in_space(system: SystemPicture) -> InSpace:
                 grids.append(surface(field, here))
             elif _is_on_table(system, p):
                 tables.append(_table(here))
+            else:
+                grid = surface_of_coordinates(system, p)
+                grids += [grid] if grid else []
     return InSpace(tuple(grids), tuple(curves), tuple(tables))
 
 

@@ -189,9 +189,8 @@ def _without_extremes(condition: Fragment) -> list[Fragment]:
         close = closings(condition.text).get(extreme.end() - 1)
         if close is None or close >= end:
             continue
-        inside = [
-            (extreme.end() + a, extreme.end() + b) for a, b in cuts(condition.text[extreme.end() : close], _COMMA)
-        ]
+        within = _CLOSES.sub("", condition.text[extreme.end() : close])
+        inside = [(extreme.end() + a, extreme.end() + b) for a, b in cuts(within, _COMMA)]
         drafts = []
         for a, b in inside:
             draft = Draft(condition)
@@ -202,6 +201,8 @@ def _without_extremes(condition: Fragment) -> list[Fragment]:
 
 
 _COMMA = re.compile(",")
+_CLOSES = re.compile(r"(?:\\right\s*)?\\?\Z")
+"""What belongs to a closing bracket of LaTeX, before it."""
 
 
 def _read(fragment: Fragment, reference: Reference) -> _Stated:

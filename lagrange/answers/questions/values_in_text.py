@@ -68,7 +68,7 @@ _SENTENCE = re.compile(
 )
 """`The range is v^2/g.`"""
 _NAME_IN_TEXT = re.compile(
-    r"\\(?:text|textrm|textbf|textit|mathrm|mbox)\s*\{\s*(?P<name>[^{}=$]{1,60}?)\s*:?\s*\}(?P<sign>\s*:?\s*&?\s*=(?!=))"
+    r"(?:[A-Za-z]_\{?\s*)?\\(?:text|textrm|textbf|textit|mathrm|mbox)\s*\{\s*(?P<name>[^{}=$]{1,60}?)\s*:?\s*\}(?:\s*\})?(?P<sign>\s*:?\s*&?\s*=(?!=))"
 )
 _BETWEEN = re.compile(r"[,;]|\b(?:and|or)\b|\\(?:text|mathrm|mbox)\{\s*(?:and|or)?\s*\}|\\q?quad(?![A-Za-z])|\n")
 _COMMAND = re.compile(r"\\(?:text|mathrm|mbox)\{[^{}]*\}|\\[A-Za-z]+")

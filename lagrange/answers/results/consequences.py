@@ -1,7 +1,7 @@
 """Wrong accelerations at the start that follow from a wrong force beside them: one mistake, and not several.
 
-With a tension taken as m g/2, and everything else right, m y'' = T − m g and the equation for the rotation hold with
-that T. So the E_k with the stated number for its multiplier are asked for each stated acceleration, without the
+Who takes the tension in a string as m g/2 and goes on rightly has m y'' = T − m g and the equation for the rotation
+with that T. So the E_k with the stated number for its multiplier are asked for each stated acceleration, without the
 constraints themselves, which with this force cannot be satisfied.
 """
 

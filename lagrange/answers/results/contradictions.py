@@ -83,7 +83,7 @@ HOLDS_ELSEWHERE = "it has solutions that are not equilibria"
 
 
 def _holds_elsewhere(reading: Reading, equilibria: Sequence[Equilibrium]) -> bool:
-    """Whether an equation holds at every position for some parameters for which not all are equilibria."""
+    """Whether an equation holds at every position for parameters for which not every position is an equilibrium."""
     if len(reading.components) != 1 or sp.count_ops(reading.components[0]) > LONGEST_FACTORED:
         return False
     equation = reading.components[0]

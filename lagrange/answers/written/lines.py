@@ -44,7 +44,7 @@ _SENTENCE = (
 )
 _BETWEEN = (
     r"(?<=[\w)\]²³'])[,.]?\s+(?:(?:this|which|that|it|we|so|and|thus|then)\s+){0,3}"
-    r"(?:becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
+    r"(?:ergibt|liefert|donne|becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
     r"(?:\s+that)?[,:]?\s+(?=[^=]*=)"
 )
 """Words between two equations."""
@@ -80,7 +80,7 @@ _HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
 _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}(?![^\W\d_])[\s,.:]{0,3}){1,8}\Z")  # a run of letters is one word
 _NAMES_NEXT = re.compile(rf"\s*(?:[A-Za-z{''.join(GREEK)}]|{'|'.join({*GREEK.values()})})(?:_?\w{{1,8}})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(
-    r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)"
+    r"[\s,;.](?:where|with|wobei|mit|and|und|et)\s(?=[^=]*=)|,?\si\.\s?e\.,?\s(?=[^=]*=)"
     r"|[,;.]\s+(?:(?:and|so|then|thus|hence|therefore|i\.\s?e\.|which|that|this|it|gives|giving|yields|is|also|damit|also|folgt)[\s,:]+){1,4}(?=[^=]*=)"
     r"|(?<=[\w)}\]])\.\s+(?=[A-Z][^\W\d_]+[\s,:])(?=[^=]*=)",
     re.IGNORECASE,

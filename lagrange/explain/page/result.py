@@ -311,7 +311,9 @@ def _from_steps(
             replace(e, sides=(e.sides[0], e.sides[-1])) if isinstance(e.sides[0], DotProduct) else e for e in lines
         ]
         if rule is Rule.SOLVED_REACTIONS:
-            lines = [_as_vector(solution, replace(e, sides=(e.sides[0], e.sides[-1]))) for e in lines]
+            lines = [
+                _as_vector(solution, e if _are_equal(e) else replace(e, sides=(e.sides[0], e.sides[-1]))) for e in lines
+            ]
         if not lines or (rule is Rule.SOLVED_REACTIONS and any(_has_accelerations(e, solution) for e in lines)):
             continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
@@ -323,6 +325,11 @@ def _from_steps(
         if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(solution.chosen, stated, lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _are_equal(e: Equation) -> bool:
+    """Whether it gives several forces one value: N_A = N_B = W/2."""
+    return len(e.sides) > 2 and all(isinstance(s, sp.Symbol) for s in e.sides[:-1])
 
 
 def _is_sum(e: Equation) -> bool:

@@ -14,16 +14,16 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
 from lagrange.document.derivation import Equation, Mathematics, Part, Rule, listed, math, series
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
-from lagrange.explain.page.meaning import stability_word
+from lagrange.explain.page.positions import stability_of
 from lagrange.explain.reactions import reaction_lines
-from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
+from lagrange.explain.rest.equilibrium import stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
-from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, possible
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
@@ -226,16 +226,25 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
 
 
 def _about_steady(steady: SteadyMotions) -> Iterator[Equation]:
-    """The frequency of small oscillations about the only steady motion, if it is stable and has a single one."""
-    branches = [(family.about, s) for family in steady.families for s in family.about.at]
-    if len(branches) != 1 or branches[0][1] is None:
-        return
-    [(about, s)] = branches
-    if s is None or len(s.frequencies) != 1 or s.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
-        return
-    [f] = s.frequencies
-    if f.square is not None and f.square != 0:
-        yield Equation((about.omega**2, f.square), condition=("of small oscillations about it",))
+    """The single frequency of small oscillations about the only steady motion, or about each place that is a number.
+
+    About an unstable one there are none.
+    """
+    branches = [
+        (family, b, s)
+        for family in steady.families
+        for b, s in zip(family.about.branches, family.about.at, strict=True)
+    ]
+    for family, b, s in branches:
+        relations = family.relations(b)
+        is_place = bool(relations) and all(r.rhs.is_number for r in relations)
+        if s is None or len(s.frequencies) != 1 or not (is_place or len(branches) == 1):
+            continue
+        [f] = s.frequencies
+        if s.judgement.stability.verdict is StabilityVerdict.UNSTABLE or f.square is None or f.square == 0:
+            continue
+        where = ("it",) if len(branches) == 1 else listed(math(r.lhs, r.rhs) for r in relations)
+        yield Equation((family.about.omega**2, f.square), condition=("of small oscillations about ", *where))
 
 
 def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tuple[Part, ...]:
@@ -293,7 +302,7 @@ def _frequencies_about(
             continue
         about = tuple(listed(math(r.lhs, r.rhs) for r in b.equations))
         stability = at.judgement.stability
-        words = _stability_of(at)
+        words = stability_of(at)
         known = _with_values(numbers, k)
         open_ = stability.conditions or stability.presupposed
         implied = {(c.lhs, c.rhs) for c in open_} >= {(c.lhs, c.rhs) for c in b.conditions}
@@ -331,25 +340,10 @@ def _damped(linearization: Linearization) -> Iterator[Equation]:
         lines = [Equation((linearization.decay, at.damped.rate)), Equation((linearization.omega**2, at.damped.square))]
         if max(e.operations for e in lines) > LONGEST_FREQUENCY:
             continue
-        words = _stability_of(at)
+        words = stability_of(at)
         about = ("about ", *listed(math(r.lhs, r.rhs) for r in b.equations)) if b.equations else ()
         yield lines[0]
         yield replace(lines[1], condition=(*about, ", " if about and words else "", *words))
-
-
-def _stability_of(at: SmallOscillations) -> tuple[Part, ...]:
-    """`stable where a > b`, `stable to first order where c > d`, `stable apart from a uniform motion of X`."""
-    stability = at.judgement.stability
-    if stability.drift is not None:
-        drift = stability.drift
-        return ("stable apart from a uniform motion",) if len(drift.coordinates) > 1 else but_for_drift(drift)
-    firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
-    if stability.conditions:
-        return ("stable where " if firm else "stable to first order where ", *sign_conditions(stability.conditions))
-    if stability.presupposed and firm and stability.verdict is StabilityVerdict.STABLE:
-        return ("stable where ", *sign_conditions(stability.presupposed))
-    verdict = stability_word(at)
-    return (verdict,) if verdict else ()
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:

@@ -230,13 +230,12 @@ def _where_large(e: sp.Expr, parameter: sp.Symbol, view: InCoordinates) -> sp.Ex
     if len(accelerations) != 1 or not parameter.is_positive:
         return None
     [acceleration] = accelerations
-    value = _acceleration(e, acceleration)
+    value = solved_acceleration(e, acceleration)
     if value is None:
         return None
     small = sp.Dummy("small", positive=True)
     inverse = sp.powdenest(_without_quotients_in_roots(value.xreplace({parameter: 1 / small})), force=True)
-    limit = sp.cancel(inverse) if not inverse.has(sp.Pow(small, -1)) else sp.expand(sp.simplify(inverse))
-    limit = limit.xreplace({small: sp.S.Zero})
+    limit = sp.expand(inverse).xreplace({small: sp.S.Zero})
     return None if limit.has(*_UNDEFINED) else acceleration - limit
 
 
@@ -272,7 +271,7 @@ def _named(e: sp.Expr, view: InCoordinates) -> NamedMotion | None:
     if len(own) != 1:
         return None
     q = base(own[0])
-    value = _acceleration(e, own[0])
+    value = solved_acceleration(e, own[0])
     if value is None or value.has(t, Unspecified):
         return None
     moving = {*slots.coordinates, *slots.velocities, *slots.prescribed}
@@ -289,7 +288,7 @@ def _named(e: sp.Expr, view: InCoordinates) -> NamedMotion | None:
     return None
 
 
-def _acceleration(e: sp.Expr, acceleration: sp.Symbol) -> sp.Expr | None:
+def solved_acceleration(e: sp.Expr, acceleration: sp.Symbol) -> sp.Expr | None:
     """q'' as a function of the state, from an equation linear in it that has no other acceleration."""
     inertia = partial(e, acceleration)
     rest = e.xreplace({acceleration: sp.S.Zero})
@@ -318,7 +317,7 @@ def _inverse_square(equations: Sequence[sp.Expr], view: InCoordinates) -> NamedM
         around = [e for e in equations if prime(phi, 2) in e.free_symbols and prime(r, 2) not in e.free_symbols]
         if len(radial) != 1 or len(around) != 1:
             continue
-        first, second = _acceleration(radial[0], prime(r, 2)), _acceleration(around[0], prime(phi, 2))
+        first, second = solved_acceleration(radial[0], prime(r, 2)), solved_acceleration(around[0], prime(phi, 2))
         if first is None or second is None or sp.cancel(second + 2 * prime(r) * prime(phi) / r) != 0:
             continue
         constant = sp.cancel((r * prime(phi) ** 2 - first) * r**2)
