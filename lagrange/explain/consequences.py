@@ -258,6 +258,9 @@ def explain_at_rest(view: InCoordinates) -> Step | None:
         z, force = math(alone.dependent), math(alone.force, alone.value)
         by = (" for ", math(alone.dependent, sp.S.Zero, relation=">"), ": ", force, ".")
         body.append(prose(Emphasis("Without "), z, ", by the constraint,", *by))
+        if alone.coordinate is not None:
+            small = math(alone.force, alone.stiffness * alone.coordinate, relation="≈")
+            body.append(prose(Emphasis("Small "), math(alone.coordinate), ": ", small, "."))
     if curve is not None:
         whole: tuple[Part, ...] = ()
         if curve.whole is not None:

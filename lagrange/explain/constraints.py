@@ -349,7 +349,7 @@ def _explain_likewise(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnaly
     form, product = _forms(geometric, letter)
     question = prose("With ", math(form), " now for the form ", Ref(label), ", ", purpose=Purpose.NEXT_PRODUCT)
     where = _where(geometric)
-    verdict = (f" not vanish{where}: ", Ref(label), " is not integrable.")
+    verdict = (f" not vanish{_identically(c)}{where}: ", Ref(label), " is not integrable.")
     end = prose(Phrase("This does", Purpose.SUBJECT), *verdict, purpose=Purpose.NEXT_NOT_INTEGRABLE)
     return [*body, *_verdict(c, product, question, end, where)]
 
@@ -382,10 +382,16 @@ def _explain_frobenius(
         IN_THREE_VARIABLES if len(c.row.coefficients) == 3 and not c.contains_time else ". Here ",
     )  # fmt: skip
     end = prose(
-        f"This does not vanish{where}: there is no integrating factor, and the constraint hides no relation between "
-        "the coordinates. It is ", Emphasis("not integrable"), ".",
+        f"This does not vanish{_identically(c)}{where}: there is no integrating factor, and the constraint hides no "
+        "relation between the coordinates. It is ", Emphasis("not integrable"), ".",
     )  # fmt: skip
     return _verdict(c, product, question, end, where)
+
+
+def _identically(c: ConstraintAnalysis) -> str:
+    """What is to be said where a product contains coordinates: it may vanish at some positions."""
+    coordinates = {q for p in c.exactness.comparisons for q in p.variables}
+    return " identically" if any(k.coefficient.free_symbols & coordinates for k in c.frobenius if k.nonzero) else ""
 
 
 def _where(geometric: Sequence[ConstraintAnalysis]) -> str:
@@ -472,8 +478,19 @@ def explain_time(classification: Classification) -> Prose:
             )
             return prose(words, Emphasis("scleronomic"), f", though not catastatic, because {rest}.")
         return prose(words, Emphasis("scleronomic"), ".")
-    return prose(f"Time appears explicitly in {_withtime_of(classification)}, so the system is ", Emphasis("rheonomic"),
-                 ".")  # fmt: skip
+    unless = _only_if(classification)
+    words = f"Time appears explicitly in {_withtime_of(classification)}, so the system is "
+    return prose(words, Emphasis("rheonomic"), *unless, ".")
+
+
+def _only_if(classification: Classification) -> tuple[Part, ...]:
+    """`, if c ≠ 0`, where the only terms with time in the finite form have a parameter that may be zero."""
+    timed = [c for c in classification.constraints if c.depends_on_time]
+    if any(c.contains_time for c in timed) or classification.moving or classification.driven or len(timed) != 1:
+        return ()
+    drift = timed[0].row.drift
+    zero = drift.is_Symbol and drift.is_zero is None
+    return (", if ", math(drift, sp.S.Zero, relation="≠")) if zero else ()
 
 
 def _withtime_of(classification: Classification) -> str:

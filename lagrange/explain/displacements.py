@@ -223,8 +223,15 @@ def _is_evident(row: Row) -> bool:
 
 
 def pivot_conditions(elimination: Elimination) -> tuple[Part, ...]:
-    """The pivots that must not vanish: `y ≠ 0 and x ≠ 0`."""
-    return listed(math(p, sp.S.Zero, relation="≠") for p in elimination.pivots)
+    """The pivots that must not vanish: `y ≠ 0 and x_1 ≠ x_2`."""
+    return listed(math(*_apart(p), relation="≠") for p in elimination.pivots)
+
+
+def _apart(pivot: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """x_1 and x_2 of x_1 − x_2; otherwise the pivot and 0."""
+    first, second = pivot.args if isinstance(pivot, sp.Add) and len(pivot.args) == 2 else (pivot, pivot)
+    plus, minus = (first, second) if first.is_Symbol else (second, first)
+    return (plus, -minus) if plus.is_Symbol and (-minus).is_Symbol else (pivot, sp.S.Zero)
 
 
 def of_points(

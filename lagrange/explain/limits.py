@@ -55,6 +55,9 @@ FEWEST_TOGETHER = 2
 SHORTEST_NAMED = 12
 """The fewest operations of a denominator that gets a letter."""
 
+LONGEST_PIVOT = 8
+"""The most operations of what must not vanish so that displacements can be chosen freely: x₁ − x₂."""
+
 LONGEST_IN_LINE = 12
 """The most operations of a product of differentials that is written in its sentence."""
 

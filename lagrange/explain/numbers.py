@@ -268,7 +268,9 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     if index_of(Purpose.GIVEN_VALUES, equation.condition) is None:
         number = ("that is ", *number)
     number = (*number, ", ", *angles[equation.sides]) if equation.sides in angles else number
-    return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
+    is_followed = equation.condition[-1:] in (("or",), (", or",))  # by another system: the number comes before
+    said = equation.condition[:-1] if is_followed else equation.condition
+    return replace(equation, condition=(*said, ", " if said else "", *number, *((", or",) if is_followed else ())))
 
 
 def _frequency(equation: Equation, values: Values) -> tuple[sp.Expr, Quantity] | None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -115,12 +116,21 @@ def reaction_lines(reactions: Reactions, newton: Newton, suffix: str) -> list[Eq
         value = reactions.multipliers.get(r.name)
         if value is None:
             continue
+        velocities = {*reactions.configuration.slots.velocities}
         if not r.named:
-            lines.append(Equation((r.multiplier, value), label=f"multiplier{suffix}-{r.name}"))
+            where = while_moving(value, velocities)
+            lines.append(Equation((r.multiplier, value), label=f"multiplier{suffix}-{r.name}", condition=where))
         if r.symbol is not None and r.name in reactions.sizes:
-            label = "tension" if r.tension is not None else "force"
-            lines.append(Equation((r.symbol, reactions.sizes[r.name]), label=f"{label}{suffix}-{r.name}"))
+            label, size = "tension" if r.tension is not None else "force", reactions.sizes[r.name]
+            where = while_moving(size, velocities)
+            lines.append(Equation((r.symbol, size), label=f"{label}{suffix}-{r.name}", condition=where))
     return lines
+
+
+def while_moving(value: sp.Expr, velocities: Collection[sp.Symbol]) -> tuple[Part, ...]:
+    """`where z' ≠ 0`, of a velocity by which the value is divided: the motion may come to a place where it vanishes."""
+    below = {p.base for p in value.atoms(sp.Pow) if p.exp.is_negative and p.base in velocities}
+    return ("where ", *listed(math(v, sp.S.Zero, relation="≠") for v in sorted(below, key=str))) if below else ()
 
 
 def _undetermined(reactions: Reactions, newton: Newton) -> list[Block]:
@@ -159,18 +169,41 @@ def _holds(reaction: Reaction) -> bool:
     return any(word in reaction.name for word in BOTH_SIDES)
 
 
-def explain_bounds(newton: Newton, pressed: Collection[str] = ()) -> list[Block]:
+def _is_taut(value: sp.Expr) -> tuple[Part, ...] | None:
+    """Where a tension is positive: everywhere, or ` where z > 0`; None if this is not seen at once."""
+    if value.is_positive:
+        return ()
+    open_ = [f for f in sp.Mul.make_args(value) if not f.is_positive]
+    if len(open_) != 1:
+        return None
+    base, exponent = open_[0].as_base_exp()
+    odd = exponent.is_Integer and exponent % 2 == 1
+    return (" where ", math(base, sp.S.Zero, relation=">")) if base.is_Symbol and odd else None
+
+
+def explain_bounds(
+    newton: Newton, pressed: Collection[str] = (), values: Mapping[str, sp.Expr] = MappingProxyType({})
+) -> list[Block]:
     """The forces that rods, strings and surfaces can exert, where the constraints do not tell.
 
     pressed  names of constraints of which friction has said already that they press
+    values   the tensions, by constraint, if they are known
     """
     blocks: list[Block] = []
     open_ = [r for r in newton.reactions if r.constraint.side is None]
     pulling = [r for r in open_ if r.tension is not None and r.constraint.by not in (Keeper.ROD, *SURFACES)]
     strings = [r for r in pulling if r.constraint.by is Keeper.STRING or r.rod is None]
     rods = [(r, r.rod) for r in pulling if r.rod is not None and r not in strings and not r.on_body]
-    taut = listed(math(r.tension, sp.S.Zero, relation="≥") for r in strings if r.tension is not None)
     tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r, _ in rods if r.tension is not None)
+    known = {r.name: _is_taut(values[r.name]) for r in strings if r.name in values}
+    for r in [r for r in strings if known.get(r.name) is not None and r.tension is not None]:
+        strings.remove(r)
+        pulls: tuple[Part, ...] = (
+            "A string can only pull: it is taut, since ",
+            math(r.tension, sp.S.Zero, relation=">"),
+        )
+        blocks.append(prose(*pulls, *(known[r.name] or ()), "."))
+    taut = listed(math(r.tension, sp.S.Zero, relation="≥") for r in strings if r.tension is not None)
     if strings:
         words = plural(len(strings), "A string can only pull, and stays taut as long as ",
                        "Strings can only pull, and stay taut as long as ")  # fmt: skip
@@ -267,14 +300,15 @@ def explain_reactions_at_rest(
                 body.append(prose(*place, " it is" if len(lines) == 1 else " they are"))
             body.append(display(*lines, boxed=True, detail=Detail.BRIEF))
         body += _open(there, newton)
-        body += explain_contacts(there.reactions, newton, place if several else ())
+        body += explain_contacts(there.reactions, newton, place if several else (), there.contact)
         slack = [r for r in would_act_backwards(there, newton) if r.constraint.side is None]
         if slack:
             forces = listed(math(r.symbol_of_force or r.force, sp.S.Zero, relation="<") for r in slack)
             are_ = plural(len(slack), "a string cannot push", "strings cannot push")
             body.append(prose(*forces, f": {are_}, so this is no equilibrium.", purpose=Purpose.CONTACT))
     if not name or own is not None:
-        body += explain_bounds(newton)
+        alone = static.at[0] if len(static.at) == 1 else None
+        body += explain_bounds(newton, values=alone.reactions.sizes if alone is not None else {})
     title = plural(len(newton.reactions), "The reaction at rest", "The reactions at rest")
     return Step(Rule.SOLVED_REACTIONS, title_in(title, name), tuple(body))
 

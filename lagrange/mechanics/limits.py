@@ -32,6 +32,21 @@ LONGEST_LIMIT = 18
 LONGEST_WITH_UNITS = 1000
 """The most operations of an equation whose terms are compared in their units; it is multiplied out for that."""
 
+LONGEST_INTEGRAL_IN_ROOTS = 40
+"""The most operations of the terms of an integral that contain roots, if these are put into one fraction."""
+
+HIGHEST_POWER_OF_UNIT = 2
+"""The highest power of a base unit in a unit that is worth naming: kg m²/s² is known, kg m⁴/s⁵ is not."""
+
+MOST_AT_REST = 2
+"""The most coordinates of a system whose positions of rest are sought without being asked for."""
+
+LONGEST_COMBINED = 400
+"""The most operations of equations of motion, constraints and stated equations of which multiples are sought."""
+
+LONGEST_MULTIPLE = 12
+"""The most operations of such a multiple."""
+
 MOST_LIMITS = 2
 """The most limits of one problem."""
 

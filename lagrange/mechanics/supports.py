@@ -104,6 +104,28 @@ def angle_bound(s: Support, q: sp.Symbol, solution: Solution) -> tuple[sp.Expr, 
     return (-offset / slope, slope == -1)
 
 
+def angle_condition(
+    chosen: InCoordinates, q: sp.Symbol, low: sp.Expr, high: sp.Expr
+) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
+    """low ≤ q ≤ high for the only equilibrium tan q = a/b, as b tan low ≤ a ≤ b tan high: the tangent grows.
+
+    None if the bounds are not between −π/2 and π/2, b is not positive, or there is another equilibrium.
+    """
+    rest = chosen.equilibrium
+    if rest is None or len(rest.branches) != 1 or len(rest.branches[0].relations) != 1:
+        return None
+    [relation] = rest.branches[0].relations
+    ends = (-low, high)
+    if relation.lhs != sp.tan(q) or any(not (e.is_Symbol and e.is_positive) for e in ends):
+        return None
+    below = {sp.tan(e): sp.Dummy(positive=True) for e in ends}  # acute: bounds of a rod that lies on both supports
+    a, b = sp.fraction(sp.together(relation.rhs.xreplace(below)))
+    back = {d: w for w, d in below.items()}
+    if not b.is_positive:
+        return None
+    return tuple(e.xreplace(back) for e in (-b * below[sp.tan(-low)], a, b * below[sp.tan(high)]))
+
+
 def _is_rod(own: Configuration, chosen: Configuration) -> bool:
     """Whether all points are in the plane of i and j, keep their distances, and have all the forces."""
     if own.rotations or own.links or own.potential != 0 or own.torques or len(own.points) < 2:

@@ -198,8 +198,8 @@ def _carried(solution: Solution) -> sp.Expr | str:
 
 def _function(solution: Solution) -> Unspecified:
     """The function f of the surface f = const."""
-    [relation] = (sp.sympify(f, strict=True) for f in solution.own.configuration.finite_constraints)
-    function: Unspecified = next(iter(sp.sympify(relation, strict=True).atoms(Unspecified)))
+    [relation] = solution.own.configuration.finite_constraints
+    function: Unspecified = next(iter(relation.atoms(Unspecified)))
     return function
 
 

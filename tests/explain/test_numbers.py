@@ -253,3 +253,17 @@ def test_what_has_no_formula_stands_as_a_number_alone(problem: Callable[[str], P
     page = terminal.text(told.derivation, told.notation, 100)
     assert page.count("t ≈ 0.5616 s") == 2  # at the head and in its step; 2.6220576 √(0.9/19.62) = 0.56158
     assert "t = 0.56" not in page
+
+
+def test_or_between_positions_comes_after_their_numbers() -> None:
+    text = """title: Two cords to one point
+parameters: {W: {value: 10 N}, a: {value: 3 m}, b: {value: 5 m}}
+coordinates: [x, y]
+particles: {P: {position: x*i + y*j}}
+constraints: {left: (x + a)^2 + y^2 = b^2, right: (x - a)^2 + y^2 = b^2}
+forces: {weight: {on: P, vector: -W*j}}
+find: equilibrium
+"""
+    head = page(reported(text)).split("1  The system")[0]
+    assert "or, that is" not in head
+    assert "that is y = 4 m, or" in head or "that is y = −4 m, or" in head, head

@@ -208,7 +208,9 @@ _JUST_AFTER = re.compile(
     r"|(?P<dotted>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?[A-Za-z]{1,12})(?:_\w)?|[^\W\d_]\u0307|[ẋẏżẊẎŻṙṡ])\s*['′]"
 )
 """A velocity just after, with a sign: `\\dot\\theta^+ = ...`, `\\dot x' = ...`."""
-_LETTER_AFTER = re.compile(r"(?<![A-Za-z_\\])(?P<name>\\?(?:omega|Omega)|[wvuVωΩ])['′](?!['′])")
+_LETTER_AFTER = re.compile(
+    r"(?<![A-Za-z_\\])(?P<name>(?:\\?(?:omega|Omega)|[wvuVωΩ])(?:_\w{1,2}|_\{\w{1,2}\})?)['′](?!['′])"
+)
 """A letter for a velocity just after, ω'."""
 _OMEGA_AFTER = ("prime", "1", "2", "f", "after", "new")
 """The index of ω just after an impact, where ω is that before."""
@@ -220,7 +222,7 @@ def without_primes_after(answer: Sequence[Fragment], declared: Collection[str]) 
     bare = {
         n
         for n in found
-        if "".join(GREEK.get(c, c) for c in n.lstrip("\\")) not in declared
+        if re.sub(r"[{}]", "", "".join(GREEK.get(c, c) for c in n.lstrip("\\"))) not in declared
         and not any(re.search(rf"(?<![A-Za-z_\\]){re.escape(n)}(?![A-Za-z0-9_'′])", f.text) for f in answer)
     }
     made = []

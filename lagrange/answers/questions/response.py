@@ -166,7 +166,11 @@ def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
         verdict = check_response_in_text(working, responses, reference)
         if verdict is not None and not verdict.unreadable:
             break
-    return None if verdict is None else replace(verdict, name="response")
+    if verdict is None:
+        return None
+    written = {without_hats(f).text.strip(): f.text.strip() for f in answer}
+    parts = tuple(replace(e, text=written.get(e.text, e.text)) for e in verdict.equations)
+    return replace(verdict, name="response", equations=parts)
 
 
 _TRIAL = re.compile(
@@ -228,6 +232,11 @@ def check_response_in_text(
         if not isinstance(f, GivenEquation) or len(f.reading.components) != 1:
             return None
         [e] = f.reading.components
+        if e.free_symbols <= {*reference.parameters.values()}:  # between the amplitudes that the answer states
+            holds = is_zero(e.xreplace(dict(reference.values)))
+            verdict = Verdict.UNDECIDED if holds is None else Verdict.EQUIVALENT if holds else Verdict.WRONG
+            parts.append(EquationVerdict.of(f.reading.text, verdict, ""))
+            continue
         if e.free_symbols & unknown.keys():
             holds = is_zero(
                 e.xreplace({s: value for s, (_, value) in unknown.items()}).xreplace(dict(reference.values))

@@ -35,6 +35,7 @@ from lagrange.answers.readings import GivenEquation, Reading
 from lagrange.answers.written.expansions import ORDER
 from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices
+from lagrange.answers.written.notation.numbers import unit_behind
 from lagrange.answers.written.notation.plain import cleaned, is_rate
 from lagrange.answers.written.notation.programs import as_equation
 from lagrange.answers.written.notation.rare import integrals_over_time
@@ -104,6 +105,7 @@ def lines_of(fragment: Fragment, declared: Collection[str]) -> list[Line]:
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
     without_braces(draft)
+    draft.keep(0, unit_behind(draft.text, declared))
     end, number = number_at_the_end(draft.text)
     about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
     latex = is_latex(fragment)

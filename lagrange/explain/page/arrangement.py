@@ -26,6 +26,7 @@ from lagrange.explain.page.economy import (
     said_before,
     without_unused,
 )
+from lagrange.explain.page.friction import with_reaction_first
 from lagrange.explain.page.laws import (
     without_idle,
 )
@@ -87,7 +88,7 @@ def steps_of_page(
     """
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, forces, every_choice=every_choice))
-    arranged = in_directions(solution, short_in_speeds(solution, arranged))
+    arranged = iter(with_reaction_first(solution, [*in_directions(solution, short_in_speeds(solution, arranged))]))
     arranged = with_held_values(solution, [*with_one_list([*arranged])])
     arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
     arranged = with_lengths(solution, [*response_shortly(solution, [*with_symbol_first([*arranged])])])
@@ -109,7 +110,7 @@ def _arranged(
     first = solution.choices[0].name if solution.choices and not rest_has_roots(solution) else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
     link = linked_particles.linked(solution)
-    stated = in_names(solution, stated)
+    plain, stated = stated, in_names(solution, stated)
     named = in_names(solution, forces)
     shortened = with_supports(solution, said_once(solution, Shortening(solution).shortened(steps)))
     shortened = (alike_about_all_axes(solution, s) for s in shortened)
@@ -143,7 +144,7 @@ def _arranged(
     work = () if surface is None or solution.law is None else work_of_surface(surface)
     yield from explain_result(solution, solved, stated, work if link is None else linked_particles.work_of_link(link))
     shown = open_ if every_choice else [*_conserved_once(open_, first)]
-    for step in _with_meaning(solution, shown, stated):
+    for step in _with_meaning(solution, shown, stated, plain):
         yield step if link is None or step.rule is not Rule.MEANING else linked_particles.meaning_of_link(link, step)
     yield from folded
 
@@ -178,7 +179,9 @@ def _conserved_once(steps: Sequence[Step], first: str) -> Iterator[Step]:
     yield from (s for s in steps if not (again and s.rule is Rule.CONSERVED and not s.choice))
 
 
-def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquations) -> Iterator[Step]:
+def _with_meaning(
+    solution: Solution, steps: Sequence[Step], stated: StatedEquations, plain: StatedEquations
+) -> Iterator[Step]:
     """The steps, with what the result says before questions and checks, and the conserved quantities in it."""
     said = meaning(solution)
     if said is None:
@@ -187,7 +190,7 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquat
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
     at_sight = integrates_at_sight(solution)
-    step = explain_meaning(said, conserved, stated, shown, solution.problem, finite=at_sight)
+    step = explain_meaning(said, conserved, stated, shown, solution.problem, finite=at_sight, plain=plain)
     step = step and put_in(held_together(solution), step)
     yield from _before_checks((s for s in steps if s is not conserved), step)
 

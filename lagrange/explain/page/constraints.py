@@ -68,7 +68,8 @@ from lagrange.explain.constraints import (
 )
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.displacements import explain_displacements, pivot_conditions
-from lagrange.explain.limits import LONGEST_SOLUTION
+from lagrange.explain.limits import LONGEST_PIVOT, LONGEST_SOLUTION
+from lagrange.explain.reactions import while_moving
 from lagrange.explain.words import counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -264,9 +265,10 @@ def in_chosen_coordinates(solution: Solution, step: Step) -> Step:
         IN_THREE_VARIABLES if len(slots.coordinates) == 3 else ". Here ",
     )  # fmt: skip
     shown = display(Equation((Wedge(letter, rate), volume), label=f"frobenius-{c.row.name}"))
+    changes = reduced.component.coefficient.free_symbols & {*slots.coordinates}
     end = prose(
-        "This does not vanish: there is no integrating factor, and the constraint hides no relation between the "
-        "coordinates. It is ", Emphasis("not integrable"), ".",
+        f"This does not vanish{' identically' if changes else ''}: there is no integrating factor, and the "
+        "constraint hides no relation between the coordinates. It is ", Emphasis("not integrable"), ".",
     )  # fmt: skip
     return replace(step, body=(*step.body[: at - 1], question, shown, end, *step.body[at + 2 :]))
 
@@ -289,7 +291,12 @@ def explain_short_displacements(solution: Solution) -> Step:
     for n in long:
         free = listed(math(variation(solution.problem.slots.coordinates[k])) for k in own.elimination.independent)
         many = in_words(len(own.elimination.independent), "").split()[0].capitalize()
-        body[n - 1 : n + 2] = [prose(f"{many} of the displacements can be chosen freely, for instance ", *free, ".")]
+        if any(count_operations(p) > LONGEST_PIVOT for p in own.elimination.pivots):
+            pivots: tuple[Part, ...] = (" in a general position",)
+        else:
+            pivots = (" where ", *pivot_conditions(own.elimination)) if own.elimination.pivots else ()
+        words = (f"{many} of the displacements can be chosen freely, for instance ", *free, *pivots, ".")
+        body[n - 1 : n + 2] = [prose(*words)]
     return replace(step, body=tuple(body))
 
 
@@ -386,8 +393,12 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
     def line(e: Equation) -> Equation:
         if e.label == "virtual-work":
             return e
-        return replace(e, sides=(e.sides[0], *map(shorter, e.sides[1:]))) if len(e.sides) > 1 else replace(
-            e, sides=tuple(map(shorter, e.sides)))  # fmt: skip
+        if len(e.sides) < 2:
+            return replace(e, sides=tuple(map(shorter, e.sides)))
+        e = replace(e, sides=(e.sides[0], *map(shorter, e.sides[1:])))
+        if step.rule is Rule.SOLVED_REACTIONS and not e.condition and isinstance(e.sides[-1], sp.Expr):
+            return replace(e, condition=while_moving(e.sides[-1], slots.velocities))
+        return e
 
     return step.map(line)
 

@@ -219,7 +219,8 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
                     kinematics[sides] = [e.label for e in block.equations if e.label]
             before = blocks[-1] if blocks else None
             if has_purpose(before, Purpose.IN_SHORT) and isinstance(block, Display) and _is_repeated(block, shown):
-                blocks[-1] = prose(Emphasis("In short"), ": combined, these are the equations at the head of the page.")
+                assert isinstance(before, Prose)
+                blocks[-1] = prose(Emphasis("In short"), ": ", *_combined(before))
             elif has_purpose(before, Purpose.CONSTANT_RATES) and isinstance(block, Display) and _is_shown(block, shown):
                 if len(block.equations) == 1:
                     blocks.pop()
@@ -229,6 +230,14 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
                 blocks.append(block)
         if blocks or not step.body:
             yield replace(step, body=tuple(_referring_once(blocks)))
+
+
+def _combined(in_short: Prose) -> tuple[Part, ...]:
+    """The equations at the head of the page, with the step that leads to them as far as it is known."""
+    how = in_short.parts[2:]
+    if not how:
+        return ("combined, these are the equations at the head of the page.",)
+    return ("the equations at the head of the page; there", *how)
 
 
 def _as_before(known: Sequence[Ref]) -> Iterator[Prose]:
@@ -448,7 +457,7 @@ def _as_one(forms: Sequence[_FurtherForm]) -> Iterator[Block]:
     letter = next(p for p in first.question.parts if isinstance(p, Math))
     each, none = ("either of them", "neither") if len(refs) == 2 else ("each of them", "none of them")
     yield prose(*listed(refs), " are not exact either: for ", refs[0], ", ", *pair, ". With ", letter, f" for {each}, ",
-                *first.product, f", {first.does_not} not vanish: {none} is integrable.")  # fmt: skip
+                *first.product, f", {first.does_not} not vanish identically: {none} is integrable.")  # fmt: skip
 
 
 def freedom_in_one(steps: Iterable[Step]) -> Iterator[Step]:

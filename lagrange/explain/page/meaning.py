@@ -31,22 +31,29 @@ from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
+from lagrange.explain.page.combined import explain_combined
+from lagrange.explain.page.course import explain_released, explain_sense, explain_swinging
+from lagrange.explain.page.limiting import explain_limit, explain_massless
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
+from lagrange.explain.page.positions import explain_rest
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.circular_motion import Turning
+from lagrange.mechanics.consequences.course import swinging_rate
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
-from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
+from lagrange.mechanics.meaning import ResultMeaning
 from lagrange.mechanics.results import InCoordinates
+from lagrange.mechanics.rewriting.combinations import combinations
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
+from lagrange.mechanics.rewriting.integrals import is_multiple_of, without_constants
 from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquations, one_way
-from lagrange.mechanics.rewriting.readable_forms import are_same_equations, is_same
+from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.linearization import SmallOscillations
+    pass
 
 
 def explain_meaning(
@@ -57,6 +64,7 @@ def explain_meaning(
     problem: Problem | None = None,
     *,
     finite: bool = False,
+    plain: StatedEquations = (),
 ) -> Step | None:
     """The step; None if there is nothing to say.
 
@@ -64,23 +72,32 @@ def explain_meaning(
     stated     the equations of motion in another form, known to be right
     labels     of the equations on the page; None: all of them
     problem    for its initial state
+    plain      the stated equations without names for quantities
     finite     whether the constraints are finite relations: of momenta that these bind nothing is said
     """
     choice = meaning.view.name
     form = meaning.view.in_speeds
     speeds = form is not None and form.equations is not None
-    body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated), *_with_held(meaning, stated)]
-    body += _conserved(conserved, meaning.view.conserved, labels, unbound=speeds or finite)
+    body: list[Block] = [
+        *_in_short(meaning, stated, plain or stated),
+        *_freed(meaning, stated),
+        *_with_held(meaning, stated),
+    ]
+    body += _conserved(conserved, meaning.view.conserved, labels, stated, unbound=speeds or finite)
     body += _accelerations(meaning)
+    body += explain_swinging(swinging_rate(stated, meaning.view))
     body += _one_way(meaning)
     body += by_quadrature(problem, form) if problem is not None else ()
     body += _turning(meaning)
     if meaning.consequences is not None:
         body += explain_consequences(meaning.consequences, meaning.view)
-    body += _rest(meaning)
+    body += explain_rest(meaning.small)
     final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
-    body += (_limit(limit, final) for limit in meaning.limits)
+    body += (explain_limit(limit, final) for limit in meaning.limits)
+    body += explain_massless(meaning.massless)
+    body += explain_sense(meaning.sense)
     body += _contact(meaning)
+    body += explain_released(meaning.released)
     body += _units(meaning)
     body += _caution(meaning)
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
@@ -105,7 +122,7 @@ def are_solved(view: InCoordinates, stated: StatedEquations, operations: int) ->
     return whole and alone and operations_of_equations(stated) <= LONGER_SOLVED * operations
 
 
-def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
+def _in_short(meaning: ResultMeaning, stated: StatedEquations, plain: StatedEquations) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion, form = meaning.view.motion, meaning.view.in_speeds
     if motion is None or not stated or are_same_equations(stated, [e.expression for e in motion.final]):
@@ -122,7 +139,8 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
     if operations_of_equations(stated) < operations or (
         motion.completing and are_solved(meaning.view, stated, operations)
     ):
-        yield prose(Emphasis("In short"), ",", purpose=Purpose.IN_SHORT)
+        how = explain_combined(combinations(plain, meaning.view), motion)
+        yield prose(Emphasis("In short"), ",", *how, purpose=Purpose.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
@@ -163,18 +181,24 @@ _CALLED = {
 
 
 def _conserved(
-    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, unbound: bool
+    step: Step | None,
+    conserved: Conserved | None,
+    labels: Collection[str | None] | None,
+    stated: StatedEquations = (),
+    *,
+    unbound: bool,
 ) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
-    telling = tuple(i for i in kept if not _is_seen(i, conserved))
-    kept = telling or kept
-    unbound = unbound or len(kept) > 1
+    several = len(kept) > 1
+    telling = tuple(i for i in kept if not _is_seen(i, conserved, stated))
+    kept = tuple(without_constants(i, conserved.motion.configuration) for i in telling or kept)
+    unbound = unbound or several
     taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
     bound = {} if unbound else {q: p for q, p in conserved.bound.items() if q not in taken}
-    if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
+    if kept != conserved.integrals or len(bound) < len(conserved.bound):
         conserved = replace(conserved, integrals=kept, bound=bound)
         made = explain_conserved(conserved, step.choice)
         if made is None:
@@ -220,8 +244,18 @@ def _in_sentences(
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".", purpose=purpose)
 
 
-def _is_seen(integral: Integral, conserved: Conserved) -> bool:
-    """Whether it is a spin whose acceleration is zero by one of the equations of motion; a momentum is worth a line."""
+def _is_seen(integral: Integral, conserved: Conserved, stated: StatedEquations) -> bool:
+    """Whether it is a spin whose acceleration is zero by one of the equations of motion; a momentum is worth a line.
+
+    With the constraints it may be a multiple of a velocity of which the equations at the head of the page say so.
+    """
+    steady = [
+        prime(base(left))
+        for left, *_, right in stated
+        if right == 0 and left.is_Symbol and left == prime(base(left), 2)
+    ]
+    if any(is_multiple_of(integral.expression, v, conserved.motion.configuration) for v in steady):
+        return True
     if quantity_of(integral, conserved.motion.configuration) is ConservedQuantity.MOMENTUM:
         return False
     final = {e.expression for e in conserved.motion.equations}
@@ -399,86 +433,6 @@ def _unused(meaning: ResultMeaning, names: Sequence[str]) -> list[str]:
     return [name for name in names if name not in taken][:2]
 
 
-def _rest(meaning: ResultMeaning) -> Iterator[Block]:
-    """`At rest: θ = 0, stable; θ = π, unstable. Small motion about the first: period 2π √(l/g).`"""
-    if meaning.small is None:
-        return
-    small = meaning.small
-    places: list[tuple[Part, ...]] = []
-    periods: list[Block] = []
-    for branch, at in zip(small.branches, small.at, strict=True):
-        if branch.left or branch.conditions or len(branch.relations) != 1 or at is None:
-            return  # the places are not as simple as a line
-        place = math(branch.relations[0].lhs, branch.relations[0].rhs)
-        verdict = stability_word(at)
-        if verdict is None:
-            return
-        places.append((place, f", {verdict}"))
-        period = _period(at)
-        if period is not None:
-            equation = math(at.equations[0], sp.S.Zero)
-            [xi] = small.displacements
-            q = _coordinate(meaning)
-            near = math(q, branch.relations[0].rhs + xi) if branch.relations[0].lhs == q else place
-            motion = (": ", near, ", ", equation, ", with the period ")
-            periods.append(prose(Emphasis("Small motion"), *motion, math(period), ".", purpose=Purpose.SMALL_MOTION))
-    if places:
-        yield prose(Emphasis("At rest"), ": ", *_joined(places), ".", purpose=Purpose.AT_REST)
-    yield from periods
-
-
-def _joined(items: Sequence[tuple[Part, ...]]) -> tuple[Part, ...]:
-    parts: list[Part] = []
-    for n, item in enumerate(items):
-        parts += ["; " if n else "", *item]
-    return tuple(parts)
-
-
-def _coordinate(meaning: ResultMeaning) -> sp.Symbol:
-    [q] = meaning.view.configuration.slots.coordinates
-    return q
-
-
-def stability_word(at: SmallOscillations) -> str | None:
-    """`stable` or `unstable`; None if this needs qualification."""
-    from lagrange.mechanics.equilibrium.linear_stability import Ground
-    from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-
-    verdict = at.judgement.stability.verdict
-    if at.judgement.stability.presupposed or at.judgement.stability.conditions:
-        return None
-    if verdict is StabilityVerdict.STABLE and at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ):
-        return "asymptotically stable" if at.judgement.asymptotic else "stable"
-    return "unstable" if verdict is StabilityVerdict.UNSTABLE else None
-
-
-def _period(at: SmallOscillations) -> sp.Expr | None:
-    """2π/ω, where the motion is an oscillation with a positive ω²."""
-    from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-
-    if not at.oscillates or at.judgement.stability.verdict is not StabilityVerdict.STABLE or len(at.frequencies) != 1:
-        return None
-    square = at.frequencies[0].square
-    if square is None or not square.is_positive:
-        return None
-    root = sp.Pow(1 / square, sp.S.Half, evaluate=False)
-    return sp.Mul(2 * sp.pi, root, evaluate=False)
-
-
-def _limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
-    """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations, those that change."""
-    changed = [e for e in limit.equations if not any(is_same(e, f) for f in final)]
-    same = len(limit.equations) - len(changed)
-    where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
-    equations = listed(math(e, sp.S.Zero) for e in changed or limit.equations)
-    if changed and same:
-        equations = (*equations, plural(same, " (the other unchanged)", " (the others unchanged)"))
-    forces: tuple[Part, ...] = ()
-    if limit.reactions:
-        forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))
-    return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".", purpose=Purpose.LIMIT)
-
-
 def _contact(meaning: ResultMeaning) -> Iterator[Block]:
     """`Contact: N > 0 while θ'² < (g/R) cos θ.`"""
     for end in meaning.ends:
@@ -490,8 +444,11 @@ def _units(meaning: ResultMeaning) -> Iterator[Block]:
     if meaning.terms is None:
         return
     first, other, unit = meaning.terms
-    yield prose(Emphasis("Units"), ": in the equation of motion every term is in ", f"{raised(unit)}: ", math(other),
-                " like ", math(first), ".", purpose=Purpose.UNITS)  # fmt: skip
+    motion = meaning.view.motion
+    several = motion is not None and len(motion.final) > 1
+    where = "in the equations of motion every term" if several else "in the equation of motion every term"
+    yield prose(Emphasis("Units"), f": {where} is in {raised(unit)}, ", math(other), " like ", math(first), ".",
+                purpose=Purpose.UNITS)  # fmt: skip
 
 
 def _caution(meaning: ResultMeaning) -> Iterator[Block]:

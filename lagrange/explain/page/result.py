@@ -104,6 +104,8 @@ def explain_result(
         kept.pop(Rule.EQUATIONS_OF_MOTION)
     _shorten(solution, kept)
     freedom = solution.classification.degrees_of_freedom
+    if Rule.EQUILIBRIUM in kept and not _is_short(kept.values()):
+        kept[Rule.EQUILIBRIUM] = _in_free_coordinates(solution.chosen, kept[Rule.EQUILIBRIUM])
     while kept and not _is_short(kept.values()):
         # What is asked stays to the last.
         others: list[Rule] = [rule for rule in kept if rule is not Rule.QUESTION] or [*kept]
@@ -128,6 +130,15 @@ def explain_result(
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def _in_free_coordinates(view: InCoordinates, lines: list[Equation]) -> list[Equation]:
+    """The equilibria without the coordinates that the constraints give; all of it if a condition would be lost."""
+    e = view.equilibrium
+    free = {view.configuration.slots.coordinates[k] for k in e.elimination.independent} if e is not None else set()
+    given = {*view.configuration.slots.coordinates} - free
+    kept = [line for line in lines if line.sides[0] not in given]
+    return kept if all(line in kept for line in lines if line.condition) else lines
 
 
 def rest_has_roots(solution: Solution) -> bool:
@@ -300,7 +311,9 @@ def _from_steps(
             replace(e, sides=(e.sides[0], e.sides[-1])) if isinstance(e.sides[0], DotProduct) else e for e in lines
         ]
         if rule is Rule.SOLVED_REACTIONS:
-            lines = [_as_vector(solution, replace(e, sides=(e.sides[0], e.sides[-1]))) for e in lines]
+            lines = [
+                _as_vector(solution, e if _are_equal(e) else replace(e, sides=(e.sides[0], e.sides[-1]))) for e in lines
+            ]
         if not lines or (rule is Rule.SOLVED_REACTIONS and any(_has_accelerations(e, solution) for e in lines)):
             continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
@@ -312,6 +325,11 @@ def _from_steps(
         if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(solution.chosen, stated, lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _are_equal(e: Equation) -> bool:
+    """Whether it gives several forces one value: N_A = N_B = W/2."""
+    return len(e.sides) > 2 and all(isinstance(s, sp.Symbol) for s in e.sides[:-1])
 
 
 def _is_sum(e: Equation) -> bool:

@@ -14,18 +14,18 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
 from lagrange.document.derivation import Equation, Mathematics, Part, Rule, listed, math, series
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
-from lagrange.explain.page.meaning import stability_word
+from lagrange.explain.page.positions import stability_of
 from lagrange.explain.reactions import reaction_lines
-from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
+from lagrange.explain.rest.equilibrium import stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
-from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-from lagrange.mechanics.equilibrium.static_reactions import possible
+from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, possible
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
@@ -70,9 +70,12 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
     if view.equilibrium is None:
         return
     groups: list[list[Equation]] = []
+    reactions = view.reactions_at_rest.at if view.reactions_at_rest is not None else ()
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
-    numbers = view.in_numbers if view.linearization is None or view.linearization.branches == branches else None
+    numbers, linearization = view.in_numbers, view.linearization
+    if linearization is not None and [b.relations for b in linearization.branches] != [b.relations for b in branches]:
+        numbers = None
     for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
         if n in excluded or (numbers is not None and n in numbers.absent and len(numbers.absent) < len(branches)):
             continue
@@ -88,6 +91,8 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         is_open = bool(b.conditions) or verdict is None or verdict.verdict is StabilityVerdict.CONDITIONAL
         known = _with_values(numbers, n) if is_open else ()
         words = (*words, *(("; ",) if words and known else ()), *known)
+        contact = _contact(reactions[n]) if reactions else ()
+        words = (*contact, *(("; ",) if words and contact else ()), *words)
         groups.append(_branch(b, *words))
     groups = [lines for lines in groups if lines]
     are_systems = any(len(lines) > 1 for lines in groups)
@@ -95,6 +100,14 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")
         yield replace(last, condition=beside) if are_systems and n < len(groups) else last
+
+
+def _contact(there: ReactionsAtRest | None) -> tuple[Part, ...]:
+    """`in contact where sin θ ≥ 0`, `taut where z > 0`; nothing where no reaction may act backwards."""
+    if there is None or not there.contact:
+        return ()
+    acts = "taut" if there.contact.keys() <= there.reactions.tensions.keys() else "in contact"
+    return (f"{acts} where ", *sign_conditions([*dict.fromkeys(there.contact.values())]))
 
 
 def _found(p: Position) -> list[Equation]:
@@ -257,7 +270,7 @@ def _frequencies_about(
             continue
         about = tuple(listed(math(r.lhs, r.rhs) for r in b.equations))
         stability = at.judgement.stability
-        words = _stability_of(at)
+        words = stability_of(at)
         known = _with_values(numbers, k)
         open_ = stability.conditions or stability.presupposed
         implied = {(c.lhs, c.rhs) for c in open_} >= {(c.lhs, c.rhs) for c in b.conditions}
@@ -295,25 +308,10 @@ def _damped(linearization: Linearization) -> Iterator[Equation]:
         lines = [Equation((linearization.decay, at.damped.rate)), Equation((linearization.omega**2, at.damped.square))]
         if max(e.operations for e in lines) > LONGEST_FREQUENCY:
             continue
-        words = _stability_of(at)
+        words = stability_of(at)
         about = ("about ", *listed(math(r.lhs, r.rhs) for r in b.equations)) if b.equations else ()
         yield lines[0]
         yield replace(lines[1], condition=(*about, ", " if about and words else "", *words))
-
-
-def _stability_of(at: SmallOscillations) -> tuple[Part, ...]:
-    """`stable where a > b`, `stable to first order where c > d`, `stable apart from a uniform motion of X`."""
-    stability = at.judgement.stability
-    if stability.drift is not None:
-        drift = stability.drift
-        return ("stable apart from a uniform motion",) if len(drift.coordinates) > 1 else but_for_drift(drift)
-    firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
-    if stability.conditions:
-        return ("stable where " if firm else "stable to first order where ", *sign_conditions(stability.conditions))
-    if stability.presupposed and firm and stability.verdict is StabilityVerdict.STABLE:
-        return ("stable where ", *sign_conditions(stability.presupposed))
-    verdict = stability_word(at)
-    return (verdict,) if verdict else ()
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:

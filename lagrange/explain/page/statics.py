@@ -30,7 +30,7 @@ from lagrange.document.derivation import (
 from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.illustrations import of_supported_rod
 from lagrange.explain.reactions import explain_reactions_at_rest
-from lagrange.explain.words import joined, plural
+from lagrange.explain.words import joined, plural, suffix_of
 from lagrange.mechanics.results import InCoordinates, Solution
 
 if TYPE_CHECKING:
@@ -174,9 +174,26 @@ def _sizes(solution: Solution, supports: Supports, sizes: dict[str, sp.Symbol]) 
     yield display(Equation((sp.Add(*terms, evaluate=False), ZERO), label="support-balance"))
     gives: tuple[Part, ...] = (" this gives", " (and the moments then balance as well, in the position found)")
     yield prose("With ", *listed(Ref(f"support-{s.point}") for s in supports.at), *gives)
-    lines = (Equation((sizes[s.point], s.size), label=f"support-size-{s.point}") for s in supports.at)
-    yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    first, *others = supports.at
+    if all(s.size == first.size for s in others):
+        names = [sizes[s.point] for s in supports.at]
+        yield display(Equation((*names, first.size), label=f"support-size-{first.point}"), boxed=True,
+                      detail=Detail.BRIEF)  # fmt: skip
+        yield from _independent(solution, names, first.size)
+    else:
+        lines = (Equation((sizes[s.point], s.size), label=f"support-size-{s.point}") for s in supports.at)
+        yield display(*lines, boxed=True, detail=Detail.BRIEF)
     yield from _ends(solution, supports)
+
+
+def _independent(solution: Solution, names: list[sp.Symbol], size: sp.Expr) -> Iterator[Block]:
+    """`N_A and N_B do not depend on k`, on which the position does."""
+    rest = solution.chosen.equilibrium
+    numbers = {p.symbol for p in solution.problem.parameters if p.range is not None}
+    inside = {s for b in rest.branches for r in b.relations for s in r.rhs.free_symbols} if rest is not None else set()
+    missing = sorted(inside & numbers - size.free_symbols, key=str)
+    if missing:
+        yield prose(*listed(map(math, names)), " do not depend on ", *listed(map(math, missing)), ".")
 
 
 def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
@@ -190,7 +207,7 @@ def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
     if len(chosen.configuration.slots.coordinates) != 1:
         return
     [q] = chosen.configuration.slots.coordinates
-    from lagrange.mechanics.supports import angle_bound
+    from lagrange.mechanics.supports import angle_bound, angle_condition
 
     limits = [angle_bound(s, q, solution) for s in supports.at]
     low = [e for e, upper in filter(None, limits) if not upper]
@@ -200,3 +217,8 @@ def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
     inside = listed(math(s.coordinate, ZERO, relation="≥") for s in supports.at)
     words: tuple[Part, ...] = ("Both ends are on the supports, ", *inside, ", as long as ")
     yield prose(*words, math(low[0], q, high[0], relation="≤"), ".", detail=Detail.BRIEF)
+    bounds = angle_condition(chosen, q, low[0], high[0])
+    if bounds is not None:
+        suffix = suffix_of(chosen.name)
+        place = (Ref(f"equilibrium{suffix}-1"), ", such a position exists if ")
+        yield prose("By ", *place, math(*bounds, relation="≤"), ".", detail=Detail.BRIEF)

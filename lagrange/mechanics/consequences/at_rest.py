@@ -28,11 +28,13 @@ if TYPE_CHECKING:
 
 @record
 class WithoutDependent:
-    """force = value, for a positive `dependent`."""
+    """force = value, for a positive `dependent`; for a small `coordinate` it is stiffness · coordinate."""
 
     force: sp.Symbol
     value: sp.Expr
     dependent: sp.Symbol
+    coordinate: sp.Symbol | None = None
+    stiffness: sp.Expr = sp.S.Zero
 
 
 @record
@@ -62,8 +64,19 @@ def without_dependent(view: InCoordinates) -> WithoutDependent | None:
             if alone.has(z, sp.zoo, sp.nan) or count_operations(alone) > LONGEST_CONSEQUENCE:
                 continue
             if is_zero(sp.expand(alone**2) - value**2, resting.configuration.surface) is True:
-                return WithoutDependent(force, alone, z)
+                return WithoutDependent(force, alone, z, *_stiffness(alone, resting))
     return None
+
+
+def _stiffness(value: sp.Expr, resting: Equilibrium) -> tuple[sp.Symbol | None, sp.Expr]:
+    """q and dP/dq at q = 0, where P(0) = 0 and q is the only coordinate in P."""
+    coordinates = value.free_symbols & {*resting.configuration.slots.coordinates}
+    if len(coordinates) != 1:
+        return None, sp.S.Zero
+    [q] = coordinates
+    there, slope = value.subs(q, 0), sp.powdenest(sp.cancel(value.diff(q).subs(q, 0)), force=True)
+    is_rest = there == 0 and slope != 0 and not slope.has(sp.zoo, sp.nan, q)
+    return (q, textbook_form(slope)) if is_rest else (None, sp.S.Zero)
 
 
 def _held_by_one_force(view: InCoordinates) -> tuple[Equilibrium, sp.Symbol, sp.Expr] | None:

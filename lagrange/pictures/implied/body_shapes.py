@@ -313,7 +313,7 @@ _FIFTHS = sp.Rational(2, 5)
 
 
 def _distance_on_axis(system: SystemPicture, p: MassPoint, rotation: Rotation, axis: int) -> float | None:
-    """The distance of the mass centre from O, if O lies on its axis, behind it, in all positions."""
+    """The distance of the mass centre from O, if its axis leads from O to it in all positions."""
     distances = [*_distances(system, p, rotation, axis)]
     if len(distances) < 3 or max(distances) - min(distances) > SAME_ON_PAGE or distances[0] < SAME_ON_PAGE:
         return None

@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.solution_sets import plain_sides
 from tests.support.found_solutions import ALPHA, POSITIVE
 
 ANGLES = {n: sp.Symbol(n, real=True) for n in ["theta", "phi", "psi"]}
@@ -104,3 +105,11 @@ def test_branches_within_others_are_dropped_with_what_is_left() -> None:
 
 def symbols_of(names: str) -> list[sp.Symbol]:
     return [NAMES[n] for n in names.split()]
+
+
+def test_sides_of_a_relation_between_positive_letters() -> None:
+    h, r, x = sp.Symbol("h", positive=True), sp.Symbol("r", positive=True), sp.Symbol("x", real=True)
+    assert plain_sides(3 * r**2 - h**2) == (h, sp.sqrt(3) * r)
+    assert plain_sides(r**2 - x**2) == (r**2, x**2), "x may be negative"
+    assert plain_sides(r**2 - 2 * h) == (r**2, 2 * h)
+    assert plain_sides(r**2 + h**2 - 4 * x) == (r**2 + h**2, 4 * x)

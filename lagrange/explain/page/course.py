@@ -1,0 +1,48 @@
+"""How a motion goes on, in words: what friction stops, where contact ends, rates that swing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.core.symbols import base, prime
+from lagrange.document.derivation import Block, Emphasis, Part, listed, math, prose
+from lagrange.mechanics.consequences.course import Released, Sense, SwingingRate
+
+
+def explain_sense(s: Sense | None) -> Iterator[Block]:
+    """`Speed: while x' > 0 it grows if tan α > μ; if tan α < μ, it falls to zero, and the motion stops.`"""
+    if s is None:
+        return
+    grows, falls = (math(s.more, s.less, relation=relation) for relation in "><")
+    yield prose(
+        *(Emphasis("Speed"), ": while ", math(s.velocity, sp.S.Zero, relation=">"), " it grows if ", grows),
+        *("; if ", falls, ", it falls to zero."),
+    )
+
+
+def explain_released(places: tuple[Released, ...]) -> Iterator[Block]:
+    """`Released from rest at θ = θ_0: W = 0 where sin θ = ⅔ sin θ_0; contact ends there at the latest.`"""
+    for r in places:
+        only: tuple[Part, ...] = () if r.provided is None else (", if ", math(r.provided, sp.S.Zero, relation=">"))
+        yield prose(
+            *(Emphasis("Released from rest"), " at ", math(r.coordinate, r.start), *only, ": by the energy, "),
+            *(math(r.force, sp.S.Zero), " where ", math(r.wave, r.place), "; contact ends there at the latest."),
+        )
+
+
+def explain_swinging(s: SwingingRate | None) -> Iterator[Block]:
+    """`The equation for z'', differentiated with constant φ', gives the third derivative as −(2/7) φ'² z'.`"""
+    if s is None:
+        return
+    third = prime(base(s.rate), 3)
+    constants = (" with constant ", *listed(map(math, s.constants))) if s.constants else ()
+    number, rest = s.square.as_coeff_Mul()
+    others = sp.sqrt(rest.xreplace({c: sp.Symbol(c.name, positive=True) for c in s.constants}))
+    root = math(sp.Mul(sp.Pow(number, sp.S.Half, evaluate=False), others, evaluate=False))  # √(2/7), not √14/7
+    yield prose(
+        *(Emphasis("In one"), ": the equation for ", math(prime(base(s.rate), 2)), ", differentiated", *constants),
+        *(", gives ", math(third + s.square * s.rate, sp.S.Zero), ": ", math(s.rate)),
+        *(" oscillates harmonically with the frequency ", root, "."),
+    )

@@ -1,0 +1,212 @@
+"""How a motion goes on: whether friction stops it, where a released body leaves its support, rates that swing.
+
+*Sense.* A block that slides in a known sense with a constant acceleration speeds up or is slowed down, by the sign of
+that acceleration, and the sign is a condition between parameters: sin α > μ cos α, that is tan α > μ.
+
+*Released from rest.* With the energy ½ A(q) q'² + V(q) and one coordinate, a system released from rest at q_0 has
+q'² = 2 (V(q_0) − V(q))/A(q), as long as contact lasts. A force that can only push, N(q, q'²), vanishes where
+N(q, 2 (V(q_0) − V(q))/A(q)) = 0. A factor of it that is linear in sin q or cos q gives the place: a ladder leaves the
+wall at sin θ = ⅔ sin θ_0.
+
+*Rates that swing.* If b w' = c v and v' = −k w + d with constants b, c, k, d, then v'' = −(k c/b) v: v is a harmonic
+oscillation, although no spring is there (a ball that rolls in a vertical pipe).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.expression_size import count_operations
+from lagrange.core.records import record
+from lagrange.core.symbols import TimeDerivative, Unspecified, base, partial, prime, t
+from lagrange.mechanics.consequences.limiting_cases import solved_acceleration
+from lagrange.mechanics.consequences.oscillations import between_positive_sums
+from lagrange.mechanics.dynamics.conservation import ConservedQuantity
+from lagrange.mechanics.limits import LONGEST_CONSEQUENCE, LONGEST_FOLLOWED
+from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.problem.model import Assumption
+
+
+@record
+class Sense:
+    """What slides with `velocity` > 0 speeds up if more > less, and is slowed down otherwise."""
+
+    velocity: sp.Symbol
+    more: sp.Expr
+    less: sp.Expr
+
+
+def sense(solution: Solution, view: InCoordinates) -> Sense | None:
+    """Of one coordinate whose acceleration is constant while friction has a known sense."""
+    motion, slots = view.dynamics, view.configuration.slots
+    if motion is None or len(slots.coordinates) != 1 or len(motion.slips) != 1 or len(motion.equations.final) != 1:
+        return None
+    [acceleration], [v], [slip] = slots.accelerations, slots.velocities, motion.slips
+    rate = sp.cancel(slip / v)
+    value = solved_acceleration(motion.equations.final[0].expression, acceleration)
+    if value is None or value.free_symbols & {*slots.coordinates, v, *slots.prescribed, t} or value.has(Unspecified):
+        return None
+    if not (rate.is_positive or rate.is_negative) or count_operations(value) > LONGEST_CONSEQUENCE:
+        return None
+    forward = 1 if rate.is_positive else -1
+    angles = [p.symbol for p in solution.problem.parameters if p.assume is Assumption.ACUTE]
+    cosines = {a: sp.Dummy("c", positive=True) for a in angles}
+    tangents = {a: sp.Dummy("tan", positive=True) for a in angles}
+    acute = {sp.cos(a): cosines[a] for a in angles} | {sp.sin(a): cosines[a] * tangents[a] for a in angles}
+    sides = between_positive_sums(sp.expand(forward * value).xreplace(acute))
+    if sides is None:
+        return None
+    back = {cosines[a]: sp.cos(a) for a in angles} | {tangents[a]: sp.tan(a) for a in angles}
+    more, less = (e.xreplace(back) for e in sides)
+    return Sense(forward * v, more, less)
+
+
+@record
+class Released:
+    """Released from rest at q_0, a system loses contact at the latest where `wave` = `place`; the force vanishes there.
+
+    start     q_0
+    provided  what must be positive; None if it is
+    """
+
+    force: sp.Symbol
+    coordinate: sp.Symbol
+    start: sp.Symbol
+    wave: sp.Expr
+    place: sp.Expr
+    provided: sp.Expr | None
+
+
+def released(
+    solution: Solution, view: InCoordinates, forces: Mapping[sp.Symbol, sp.Expr], pushing: Collection[sp.Symbol]
+) -> Iterator[Released]:
+    """For the forces of contact of one coordinate, where the file gives no initial state."""
+    slots, conserved = view.configuration.slots, view.conserved
+    if len(slots.coordinates) != 1 or view.signs or slots.prescribed or view.configuration.rows:
+        return
+    if solution.problem.initial or solution.asked or conserved is None:
+        return
+    energy = next((i for i in conserved.integrals if i.quantity is ConservedQuantity.ENERGY and i.constant), None)
+    [q], [v] = slots.coordinates, slots.velocities
+    start = sp.Symbol(f"{q.name}_0", real=True)
+    if energy is None or start.name in solution.problem.scope.names():
+        return
+    total = sp.expand(energy.expression)
+    inertia = total.coeff(v, 2)
+    potential = sp.expand(total - inertia * v**2)
+    if inertia == 0 or (inertia.free_symbols | potential.free_symbols) & {v, t}:
+        return
+    square = (potential.xreplace({q: start}) - potential) / inertia
+    for force in sorted({*pushing} & {*forces}, key=str):
+        value = sp.expand(forces[force])
+        factor = value.coeff(v, 2)
+        rest = sp.expand(value - factor * v**2)
+        if rest.free_symbols & {v, t, *slots.accelerations} or value.has(Unspecified) or factor == 0:
+            continue
+        if count_operations(value) > LONGEST_FOLLOWED:
+            continue
+        for wave in (sp.sin(q), sp.cos(q)):
+            place = _place(rest + factor * square, potential, wave, (q, start))
+            if place is not None:
+                provided = None if _is_acute(view, q) else wave.xreplace({q: start})
+                yield Released(force, q, start, wave, place, provided)
+                break
+
+
+def _place(value: sp.Expr, potential: sp.Expr, wave: sp.Expr, names: tuple[sp.Symbol, sp.Symbol]) -> sp.Expr | None:
+    """ρ u_0 with a number 0 < ρ < 1, where u = sin q or cos q is there; V = k u + const with k > 0: u falls to it."""
+    q, start = names
+    other = sp.cos(q) if isinstance(wave, sp.sin) else sp.sin(q)
+    u, u_0, w = (sp.Dummy(x, real=True) for x in ("u", "u_0", "w"))
+    by_letters = {wave: u, wave.xreplace({q: start}): u_0, other: w}
+    height = sp.expand(potential).xreplace(by_letters)
+    slope = height.diff(u)
+    if not slope.is_positive or (height - slope * u).has(u, w, q):
+        return None
+    numerator = sp.numer(sp.together(sp.expand(value).xreplace(by_letters)))
+    if numerator.has(q, start):
+        return None
+    for factor in sp.Mul.make_args(sp.factor(numerator)):
+        if factor.has(u) and factor.has(u_0) and not factor.has(w) and sp.Poly(factor, u).degree() == 1:
+            linear = sp.Poly(factor, u)
+            ratio = sp.cancel(-linear.coeff_monomial(1) / (linear.coeff_monomial(u) * u_0))
+            if ratio.is_Rational and 0 < ratio < 1:
+                return ratio * wave.xreplace({q: start})
+    return None
+
+
+def _is_acute(view: InCoordinates, q: sp.Symbol) -> bool:
+    """Whether q is between 0 and π/2 by its range: then its sine and cosine are not negative."""
+    span = view.configuration.ranges.get(q)
+    return span is not None and bool(span.low >= 0) and bool(span.high <= sp.pi / 2)
+
+
+@record
+class SwingingRate:
+    """v'' = −square · v along the motion; `constants`: the velocities in it that are constant."""
+
+    rate: sp.Symbol
+    square: sp.Expr
+    constants: tuple[sp.Symbol, ...]
+
+
+def swinging_rate(equations: Sequence[tuple[sp.Expr, ...]], view: InCoordinates) -> SwingingRate | None:
+    """From the stated equations, each two sides: the first two rates that drive each other."""
+    slots = view.configuration.slots
+    pairs = [a - b for a, b, *more in equations if not more]
+    still = {prime(base(e)) for e in pairs if e.is_Symbol and e in slots.accelerations}
+    for derivative in sorted({d for e in pairs for d in e.atoms(TimeDerivative)}, key=str):
+        w, rate = sp.Dummy("w", real=True), sp.Dummy("rate", real=True)
+        written = [e.xreplace({derivative: rate}).xreplace({derivative.args[0]: w}) for e in pairs]
+        for first in (e for e in written if e.has(rate)):
+            changes = _linear(first, rate)
+            for v in sorted({*slots.velocities} - still, key=str):
+                c = None if changes is None else sp.cancel(changes / v)
+                seconds = [e for e in written if prime(base(v), 2) in e.free_symbols and e is not first]
+                found = None if c is None else _driven(c, seconds, (v, w), still, view)
+                if found is not None:
+                    return found
+    return None
+
+
+def _driven(
+    c: sp.Expr,
+    equations: Sequence[sp.Expr],
+    names: tuple[sp.Symbol, sp.Symbol],
+    still: Collection[sp.Symbol],
+    view: InCoordinates,
+) -> SwingingRate | None:
+    """v'' = −(k c) v, from w' = c v and an equation v' = −k w + d."""
+    v, w = names
+    slots = view.configuration.slots
+    moving = {*slots.coordinates, *slots.velocities, *slots.accelerations, *slots.prescribed, t, w} - {*still}
+    for e in equations:
+        accelerates = _linear(e, prime(base(v), 2))
+        if accelerates is None:
+            continue
+        k, d = -partial(accelerates, w), accelerates.xreplace({w: sp.S.Zero})
+        square = textbook_form(sp.cancel(k * c))
+        if any(x.free_symbols & moving for x in (c, k, d)) or not _is_square(square, still):
+            continue
+        if count_operations(square) <= LONGEST_CONSEQUENCE:
+            return SwingingRate(v, square, tuple(sorted(square.free_symbols & {*still}, key=str)))
+    return None
+
+
+def _linear(e: sp.Expr, unknown: sp.Symbol) -> sp.Expr | None:
+    """The unknown from e = 0, if e is linear in it."""
+    factor = partial(e, unknown)
+    if factor.has(unknown) or is_zero(factor) is not False:
+        return None
+    value: sp.Expr = sp.cancel(-e.xreplace({unknown: sp.S.Zero}) / factor)
+    return value
+
+
+def _is_square(square: sp.Expr, constants: Collection[sp.Symbol]) -> bool:
+    """Whether it is positive for any values of the constants that are not zero."""
+    signs = ({c: s * sp.Dummy(positive=True) for c in constants} for s in (1, -1))
+    return square != 0 and all(bool(square.xreplace(of).is_positive) for of in signs)
