@@ -490,7 +490,7 @@ def _only_if(classification: Classification) -> tuple[Part, ...]:
         return ()
     drift = timed[0].row.drift
     zero = drift.is_Symbol and drift.is_zero is None
-    return (", if ", math(drift, sp.S.Zero, relation="≠")) if zero else ()
+    return (" if ", math(drift, sp.S.Zero, relation="≠")) if zero else ()
 
 
 def _withtime_of(classification: Classification) -> str:

@@ -255,6 +255,20 @@ def test_what_has_no_formula_stands_as_a_number_alone(problem: Callable[[str], P
     assert "t = 0.56" not in page
 
 
+def test_a_rate_of_mass_stays_in_kilograms_a_second() -> None:
+    rocket = """title: Rocket
+axes: {j: up}
+parameters: {m_0: 1200 kg, q: 15 kg/s, u: 2400 m/s, c: 3 N s/m}
+coordinates: [y]
+particles: {rocket: {mass: m_0 - q*t, position: y*j, leaves: {relative: -u*j}}}
+forces: {drag: {on: rocket, vector: "-c*y'*j"}}
+"""
+    explained = report(read_problem(Source("rocket.yaml", rocket)))
+    page = terminal.text(explained.derivation, explained.notation, 100)
+    assert "q = 15 kg/s" in page
+    assert "c = 3 N s/m" in page
+
+
 def test_or_between_positions_comes_after_their_numbers() -> None:
     text = """title: Two cords to one point
 parameters: {W: {value: 10 N}, a: {value: 3 m}, b: {value: 5 m}}

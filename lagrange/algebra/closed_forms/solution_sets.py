@@ -59,7 +59,7 @@ class Branch:
     @property
     def equations(self) -> tuple[Relation, ...]:
         """The relations, and what could not be solved."""
-        return (*self.relations, *(Relation(e, sp.S.Zero) for e in self.left))
+        return (*self.relations, *(_by_tangents(e, self.left) or Relation(e, sp.S.Zero) for e in self.left))
 
 
 @record
@@ -93,6 +93,28 @@ class SolutionSet:
             radicand = self._with_roots(resolved(self.letters.roots[root], point), point)
             value = value.xreplace({root: sp.sqrt(self.letters.write(radicand))})
         return value
+
+
+def _by_tangents(e: sp.Expr, left: Sequence[sp.Expr]) -> Relation | None:
+    """tan α = 3 tan β for sin α cos β − 3 cos α sin β = 0, if another equation excludes cos α = cos β = 0."""
+    angles = sorted({w.args[0] for w in e.atoms(sp.sin, sp.cos)}, key=str)
+    if len(angles) != 2 or not all(angle.is_Symbol for angle in angles):
+        return None
+    alpha, beta = angles
+    whole = sp.expand(e)
+    rates = [whole.coeff(sp.sin(u)).coeff(sp.cos(v)) for u, v in ((alpha, beta), (beta, alpha))]
+    products = sp.sin(alpha) * sp.cos(beta), sp.sin(beta) * sp.cos(alpha)
+    is_bilinear = sp.expand(whole - rates[0] * products[0] - rates[1] * products[1]) == 0
+    if not is_bilinear or any(r.has(alpha, beta) or sign_of(r) not in (1, -1) for r in rates):
+        return None
+    upright = {sp.cos(alpha): sp.S.Zero, sp.cos(beta): sp.S.Zero}
+    others = (sp.expand(other).xreplace(upright) for other in left if other != e)
+    if not any(not o.has(alpha, beta) and sign_of(o) in (1, -1) for o in others):
+        return None
+    one, other = sp.factor(-rates[1] / rates[0]), sp.factor(-rates[0] / rates[1])
+    if sp.fraction(one)[1] == 1 or sp.fraction(other)[1] != 1:
+        return Relation(sp.tan(alpha), one * sp.tan(beta))
+    return Relation(sp.tan(beta), other * sp.tan(alpha))
 
 
 def agree(

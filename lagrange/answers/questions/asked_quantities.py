@@ -18,7 +18,7 @@ from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.limits import ROUNDING_DIGITS
-from lagrange.answers.questions.named_values import Judged, check_each, text_in_si
+from lagrange.answers.questions.named_values import WRONG_UNIT, Judged, check_each, text_in_si
 from lagrange.answers.readings import ForceMeaning, decimals_in, meanings_of_force
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, WORST_TO_BEST, AnswerVerdict, Verdict
@@ -175,7 +175,7 @@ class AskedClaim:
         if not self.asked.answered:
             return Verdict.UNDECIDED, _NOT_ANSWERED
         if not self.unit_fits:
-            return Verdict.WRONG, "its unit is not one of what is asked for"
+            return Verdict.WRONG, WRONG_UNIT
         claim = self.expression if self.expression is not None else self.equation
         assert claim is not None
         verdict, remark = self._judged(as_written(claim))

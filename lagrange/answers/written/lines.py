@@ -44,7 +44,7 @@ _SENTENCE = (
 )
 _BETWEEN = (
     r"(?<=[\w)\]²³'])[,.]?\s+(?:(?:this|which|that|it|we|so|and|thus|then)\s+){0,3}"
-    r"(?:becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
+    r"(?:ergibt|liefert|donne|becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
     r"(?:\s+that)?[,:]?\s+(?=[^=]*=)"
 )
 """Words between two equations."""

@@ -29,7 +29,9 @@ def with_primed_names(answer: Sequence[Fragment], parameters: Collection[str]) -
     return [_replaced(f, pattern, r"\1_{prime}" if is_latex(f) else r"\1_prime") for f in answer]
 
 
-_GREEK_LABEL = re.compile(rf"(?:^|[\s,;])(?P<greek>[{''.join(GREEK)}])(?P<index>[a-z]{{1,3}})\s*(?:²|\^2)?\s*=(?!=)")
+_GREEK_LABEL = re.compile(
+    rf"\s*(?P<greek>[{''.join({*GREEK} - {'δ'})}])(?P<index>[a-z]{{1,3}})\s*(?:²|\^2)?\s*:?=(?!=)"
+)
 
 
 def with_indices_of_greek(answer: Sequence[Fragment], scope: Scope) -> Sequence[Fragment]:
@@ -38,7 +40,7 @@ def with_indices_of_greek(answer: Sequence[Fragment], scope: Scope) -> Sequence[
         m["greek"] + m["index"]: f"{m['greek']}_{m['index']}"
         for f in answer
         if not is_latex(f)
-        for m in _GREEK_LABEL.finditer(f.text)
+        if (m := _GREEK_LABEL.match(f.text))
         if not all(scope.role(n) is not Role.UNDECLARED for n in m["index"])
         and scope.role(m["index"]) is Role.UNDECLARED
     }

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import sympy as sp
+
 from lagrange.document.derivation import Part, Ref, listed, math, series
 from lagrange.explain.motion import label_from_principle
 from lagrange.explain.words import suffix_of
@@ -32,6 +34,8 @@ def _sum(c: Combination, motion: EquationsOfMotion) -> tuple[Part, ...]:
     for m, row in zip(c.constraints, motion.completing, strict=True):
         label = f"with{suffix_of(motion.configuration.name)}-{row.name}"
         terms += [_times(m, ("the time derivative of ", Ref(label)))] if m != 0 else []
+    if len(terms) == 2 and terms[1][1:2] == (" times ",) and terms[1][0] == math(sp.S.NegativeOne):
+        return (*terms[0], " minus ", *terms[1][2:])
     return terms[0] if len(terms) == 1 else ("the sum of ", *series(terms))
 
 

@@ -294,7 +294,7 @@ def explain_short_displacements(solution: Solution) -> Step:
         if any(count_operations(p) > LONGEST_PIVOT for p in own.elimination.pivots):
             pivots: tuple[Part, ...] = (" in a general position",)
         else:
-            pivots = (" where ", *pivot_conditions(own.elimination)) if own.elimination.pivots else ()
+            pivots = (", where ", *pivot_conditions(own.elimination)) if own.elimination.pivots else ()
         words = (f"{many} of the displacements can be chosen freely, for instance ", *free, *pivots, ".")
         body[n - 1 : n + 2] = [prose(*words)]
     return replace(step, body=tuple(body))
@@ -343,7 +343,7 @@ def without_solution(solution: Solution, step: Step) -> Step:
         names = listed(
             math(variation(solution.problem.slots.coordinates[k])) for k in solution.own.elimination.independent
         )
-        where = (" where ", *pivot_conditions(solution.own.elimination)) if solution.own.elimination.pivots else ()
+        where = (", where ", *pivot_conditions(solution.own.elimination)) if solution.own.elimination.pivots else ()
         words = prose("So ", *listed(math(d, sp.S.Zero) for d in solved), *where, ". ", *names,
                       plural(free, " remains free.", " remain free."))  # fmt: skip
     before, last = step.body[: at - 1], step.body[at - 1]

@@ -38,11 +38,8 @@ def explain_swinging(s: SwingingRate | None) -> Iterator[Block]:
         return
     third = prime(base(s.rate), 3)
     constants = (" with constant ", *listed(map(math, s.constants))) if s.constants else ()
-    number, rest = s.square.as_coeff_Mul()
-    others = sp.sqrt(rest.xreplace({c: sp.Symbol(c.name, positive=True) for c in s.constants}))
-    root = math(sp.Mul(sp.Pow(number, sp.S.Half, evaluate=False), others, evaluate=False))  # √(2/7), not √14/7
     yield prose(
         *(Emphasis("In one"), ": the equation for ", math(prime(base(s.rate), 2)), ", differentiated", *constants),
         *(", gives ", math(third + s.square * s.rate, sp.S.Zero), ": ", math(s.rate)),
-        *(" oscillates harmonically with the frequency ", root, "."),
+        *(" oscillates harmonically with the frequency ", math(s.frequency), "."),
     )

@@ -67,10 +67,10 @@ if TYPE_CHECKING:
 _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
     Rule.EQUILIBRIUM: "the equilibrium",
+    Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.SOLVED_REACTIONS: "the reactions",
     Rule.WORKLESS: "its work",
     Rule.HAMILTON: "Hamilton's function",
-    Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.STEADY: "steady motions",
     Rule.LINEARIZATION: "small oscillations",
     Rule.RESPONSE: "the steady state",
@@ -398,7 +398,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
         values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
         newton = None if solution.law is None else solution.law.newton
         held = solution.classification.degrees_of_freedom == 0
-        yield from result_at_rest(view, values, newton, held=held)
+        yield from result_at_rest(view, values, newton, held=held, sought=solution.problem.unknowns)
         known = values_of(solution.problem) if newton is not None and view.is_own else None
         if newton is not None and known is not None and (found := reactions_of_only_root(view, newton, known)):
             yield Rule.SOLVED_REACTIONS, found

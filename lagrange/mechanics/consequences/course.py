@@ -153,6 +153,13 @@ class SwingingRate:
     square: sp.Expr
     constants: tuple[sp.Symbol, ...]
 
+    @property
+    def frequency(self) -> sp.Expr:
+        """The root of the square, √(2/7) φ' and not (√14/7) φ', for positive constants."""
+        number, rest = self.square.as_coeff_Mul()
+        others = sp.sqrt(rest.xreplace({c: sp.Symbol(c.name, positive=True) for c in self.constants}))
+        return sp.Mul(sp.Pow(number, sp.S.Half, evaluate=False), others, evaluate=False)
+
 
 def swinging_rate(equations: Sequence[tuple[sp.Expr, ...]], view: InCoordinates) -> SwingingRate | None:
     """From the stated equations, each two sides: the first two rates that drive each other."""

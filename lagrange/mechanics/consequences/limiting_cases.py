@@ -235,8 +235,7 @@ def _where_large(e: sp.Expr, parameter: sp.Symbol, view: InCoordinates) -> sp.Ex
         return None
     small = sp.Dummy("small", positive=True)
     inverse = sp.powdenest(_without_quotients_in_roots(value.xreplace({parameter: 1 / small})), force=True)
-    limit = sp.cancel(inverse) if not inverse.has(sp.Pow(small, -1)) else sp.expand(sp.simplify(inverse))
-    limit = limit.xreplace({small: sp.S.Zero})
+    limit = sp.expand(inverse).xreplace({small: sp.S.Zero})
     return None if limit.has(*_UNDEFINED) else acceleration - limit
 
 

@@ -22,7 +22,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, partial
 from lagrange.mechanics.limits import LONGEST_COMBINED, LONGEST_MULTIPLE
 from lagrange.mechanics.results import InCoordinates
-from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, squares_by_constraints, with_squares
+from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, squares_by_constraints
 
 
 @record
@@ -50,7 +50,7 @@ def combinations(stated: StatedEquations, view: InCoordinates) -> tuple[Combinat
         return ()
     slots = view.configuration.slots
     equations = [e.expression for e in motion.equations]
-    forms = [row.velocity_form(slots) for row in motion.completing]
+    forms = [row.velocity_form(slots) if row.nonlinear is None else row.nonlinear for row in motion.completing]
     derivatives = [slots.time_derivative(f) for f in forms]
     every = [*equations, *derivatives, *(a - b for a, b in stated)]
     if sum(map(count_operations, every)) > LONGEST_COMBINED or any(e.has(Unspecified) for e in every):
@@ -74,7 +74,7 @@ def _combination(
     if solved is None or any(x is None for x in solved):
         return None
     squares = squares_by_constraints(view.configuration.rows, view.configuration.slots)
-    multiples = [textbook_form(with_squares(x, squares) if squares else x) for x in solved if x is not None]
+    multiples = [textbook_form(_with_squares(x, squares)) for x in solved if x is not None]
     if any(count_operations(m) > LONGEST_MULTIPLE for m in multiples):
         return None
     rest = s - sp.Add(*(m * e for m, e in zip(multiples, parts, strict=True)))
@@ -84,11 +84,18 @@ def _combination(
     return Combination(tuple(multiples[: len(equations)]), tuple(multiples[len(equations) :]), needed)
 
 
+def _with_squares(e: sp.Expr, squares: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    """A quotient with the squares of velocities that constraints give, in its factors as they stand."""
+    for velocity, square in squares:
+        e = sp.factor(sp.cancel(sp.together(e).xreplace({velocity**2: square})))
+    return e
+
+
 def _by_constraints(e: sp.Expr, view: InCoordinates) -> sp.Expr:
-    """An expression with one velocity substituted by each constraint on velocities."""
+    """An expression, or its numerator, with one velocity substituted by each constraint on velocities."""
     slots = view.configuration.slots
     for velocity, square in squares_by_constraints(view.configuration.rows, slots):
-        e = sp.expand(e).xreplace({velocity**2: square})
+        e = sp.expand(sp.numer(sp.together(e))).xreplace({velocity**2: square})
     rules: dict[sp.Basic, sp.Basic] = {}
     for row in view.configuration.rows:
         if row.nonlinear is not None:

@@ -116,7 +116,8 @@ _UNIT_BEHIND = re.compile(
 def unit_behind(text: str, declared: Collection[str]) -> int:
     """Where a unit in brackets begins behind an equation, `... = -g/l sin(theta)   [rad/s^2]`; the text's end if none.
 
-    In round brackets it may be a factor, unless one of its letters is no name of the problem.
+    In round brackets, and as a small letter alone, it may be a factor, unless one of its letters is no name of the
+    problem.
     """
     match = _UNIT_BEHIND.search(text, text.rindex("=") + 1) if "=" in text else None
     if match is None or {match["open"], match["close"]} not in ({"[", "]"}, {"(", ")"}):
@@ -124,7 +125,8 @@ def unit_behind(text: str, declared: Collection[str]) -> int:
     written = plain_unit(match["unit"])
     names = _NAME.findall(written)
     is_unit = bool(names) and unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", written)) is not None
-    may_be_factor = match["open"] == "(" and all(n in declared for n in names)
+    alone = len(names) == 1 and names[0] == written and written.islower()
+    may_be_factor = (match["open"] == "(" or alone) and all(n in declared for n in names)
     before = text[text.rindex("=") + 1 : match.start()].strip(" $&")
     return match.start() if is_unit and before and not may_be_factor else len(text)
 

@@ -30,6 +30,8 @@ def test_feet_and_inches_may_be_spelled_out() -> None:
         (r"\ddot x = g \quad [\mathrm{m\,s^{-2}}]", r"\ddot x = g"),
         ("x = v (s)", "x = v (s)"),  # s is a name: a factor
         ("x = l [x + y]", "x = l [x + y]"),
+        ("a = 2 [g]", "a = 2 [g]"),
+        ("a = 2 [kg]", "a = 2"),
         ("theta'' = [rad/s]", "theta'' = [rad/s]"),  # nothing else is there
         ("m a = m [x''] [kg m/s^2]", "m a = m [x'']"),
     ],

@@ -1,0 +1,52 @@
+"""Limits in words."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.symbols import prime
+from lagrange.document.derivation import Prose
+from lagrange.explain.page.limiting import explain_limit, explain_massless, period_of
+from lagrange.mechanics.consequences.limiting_cases import LimitingCase, MasslessBodies, Named, NamedMotion
+
+x, g, k, m = (sp.Symbol(n, positive=True) for n in ("x", "g", "k", "m"))
+
+
+def words(block: object) -> str:
+    assert isinstance(block, Prose)
+    return "".join(p if isinstance(p, str) else "*" for p in block.parts)
+
+
+@pytest.mark.parametrize(
+    ("named", "value", "said"),
+    [
+        (Named.UNIFORM, sp.S.Zero, "* is constant"),
+        (Named.CIRCLE, sp.S.Zero, "uniform motion in a circle, *"),
+        (Named.ACCELERATED, g, " *: *."),
+        (Named.OSCILLATION, k / m, "an oscillation with the period *"),
+        (Named.PENDULUM, g, "the equation of a simple pendulum"),
+        (Named.INVERSE_SQUARE, k, "Kepler's problem"),
+    ],
+)
+def test_each_limit_has_a_name_or_a_solved_form(named: Named, value: sp.Expr, said: str) -> None:
+    equation = prime(x, 2) + value * x
+    block = explain_limit(LimitingCase(g, sp.S.Zero, (equation,), {}, (NamedMotion(named, x, value),)), ())
+    assert said in words(block)
+
+
+def test_what_stays_is_counted() -> None:
+    before, after = prime(x, 2) + g, prime(x, 2)
+    y = sp.Symbol("y", real=True)
+    limit = LimitingCase(g, sp.S.Zero, (after, prime(y, 2)), {}, (NamedMotion(Named.UNIFORM, x, sp.S.Zero),))
+    assert words(explain_limit(limit, (before, prime(y, 2)))).endswith("(the other equation unchanged).")
+
+
+def test_bodies_without_inertia() -> None:
+    [block] = explain_massless(MasslessBodies((m,), {prime(x, 2): g}))
+    assert "of the bodies that turn" in words(block)
+    assert not [*explain_massless(None)]
+
+
+def test_a_period_is_a_product_with_one_root() -> None:
+    assert sp.simplify(period_of(k / m) - 2 * sp.pi * sp.sqrt(m / k)) == 0
