@@ -127,9 +127,8 @@ class EquilibriumPoint:
             return ""  # nothing oscillates there
         why = explained_value(sp.expand(as_written(claim) ** 2).xreplace(values), right.xreplace(values), set())
         if why == "its sign is wrong":
-            from lagrange.answers.questions.linear_equations import position_of  # which imports this one
-
-            return f"that is the square of the frequency about {position_of(self)} with the opposite sign"
+            place = ", ".join(f"{r.lhs} = {r.rhs}" for r in self.branch.relations) or "the equilibrium"
+            return f"that is the square of the frequency about {place} with the opposite sign"
         return f"in omega^2, {why}" if why else ""
 
     def _of_one_root(self, claim: sp.Expr, values: Values) -> str:
