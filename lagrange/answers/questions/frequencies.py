@@ -28,7 +28,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.limits import HIGHEST_FREQUENCY_EQUATION, LONGEST_SQUARE
 from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, NUMBER_WITH_FACTORS, explained_frequencies
-from lagrange.answers.questions.texts.frequency_labels import LABELLED, listed_frequencies
+from lagrange.answers.questions.texts.frequency_labels import LABELLED, listed_frequencies, stated_position
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
@@ -127,9 +127,7 @@ class EquilibriumPoint:
             return ""  # nothing oscillates there
         why = explained_value(sp.expand(as_written(claim) ** 2).xreplace(values), right.xreplace(values), set())
         if why == "its sign is wrong":
-            from lagrange.answers.questions.linear_equations import position_of  # which imports this one
-
-            return f"that is the square of the frequency about {position_of(self)} with the opposite sign"
+            return f"that is the square of the frequency about {stated_position(self.branch)} with the opposite sign"
         return f"in omega^2, {why}" if why else ""
 
     def _of_one_root(self, claim: sp.Expr, values: Values) -> str:

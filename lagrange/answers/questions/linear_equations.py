@@ -32,6 +32,7 @@ from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.limits import MOST_LINEARIZED, ROUNDED_COEFFICIENT
 from lagrange.answers.questions.frequencies import EquilibriumPoint
+from lagrange.answers.questions.texts.frequency_labels import stated_position
 from lagrange.answers.readings import GivenEquation, decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -42,7 +43,6 @@ from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base, prime
 from lagrange.core.vectors import Vector
-from lagrange.document.math_writer import text
 from lagrange.expressions.reader import read_value
 from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.nearby.linear_motion import LinearMotion
@@ -206,7 +206,7 @@ def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
             size = len(place.oscillations.free)
             if size > MOST_LINEARIZED:
                 continue
-            at = position_of(place)
+            at = stated_position(place.branch)
             claims = [_coefficients(as_written(e).xreplace(dict(reference.values)), slots, place) for e in equations]
             if any(c is None for c in claims):
                 continue
@@ -260,11 +260,6 @@ def number_of_oscillating_places(solution: Solution) -> int | None:
                 found.append(known)
         numbers.append(len(found))
     return max(numbers, default=None)
-
-
-def position_of(place: EquilibriumPoint) -> str:
-    """Where the equilibrium is: `theta1 = 0, theta2 = 0`."""
-    return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in place.branch.relations) or "the equilibrium"
 
 
 _Coefficients = tuple[list[sp.Expr], list[sp.Expr], list[sp.Expr]]

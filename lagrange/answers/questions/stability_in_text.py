@@ -26,6 +26,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.limits import CLEAR_STABILITY, ENOUGH_PLACES, SENTENCE_SAMPLES, STABILITY_SAMPLES
+from lagrange.answers.questions.texts.frequency_labels import stated_position
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
 from lagrange.answers.results.at_random import beside_limit
@@ -34,7 +35,6 @@ from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import symbols_in
-from lagrange.document.math_writer import text
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -267,7 +267,7 @@ def check_stability_sentences(
         stated = " ".join(f.text.split())
         at = [p for p in places if _is_true(clauses, p)]
         if at:
-            where = " or ".join(_where(p) for p in at)
+            where = " or ".join(stated_position(p.branch) for p in at)
             parts.append(EquationVerdict(stated, Verdict.EQUIVALENT, remarks=(_ABOUT.format(where),)))
             continue
         opposite = [_Clause(not c.stable, c.condition) for c in clauses]
@@ -318,10 +318,6 @@ def _holds_at(claim: _Claim, components: Sequence[sp.Expr], place: _Place) -> bo
             if all(h.is_number and abs(h) >= CLEAR_STABILITY for h in holds):
                 found.add(stable is (claim.stable if all(h > 0 for h in holds) else not claim.stable))
     return None if not found or (len(found) > 1 and not conditions) else found == {True}
-
-
-def _where(place: _Place) -> str:
-    return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in place.branch.relations)
 
 
 def _clauses(stated: str, reference: Reference) -> list[_Clause]:

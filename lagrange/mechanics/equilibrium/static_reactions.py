@@ -199,35 +199,28 @@ def possible(
     return kept or [*range(len(at))]
 
 
-def slack_branches(
-    static: StaticReactions | None, law: NewtonLaw | None, values: ValuesGiven | None
-) -> tuple[Branch, ...]:
-    """The branches at which a contact would have to pull, or a string to push; none where these are all.
+def in_contact(
+    e: Equilibrium, static: StaticReactions | None, law: NewtonLaw | None, values: ValuesGiven | None
+) -> Equilibrium:
+    """The equilibria with the conditions under which contacts push and strings pull, and those at which one would not.
 
-    Of a branch that contains other points as well, the points at which it would.
+    `slack` is none where these are all; of a branch with other points as well, it has the points that are slack.
     """
     if static is None or law is None or not static.at:
-        return ()
+        return e
     numbers = values.numbers if values is not None else {}
     kept = possible(static.at, law.newton, numbers)
-    slack = []
-    for n, (b, there) in enumerate(zip(static.equilibrium.branches, static.at, strict=True)):
+    slack, branches = [], []
+    for n, (b, there) in enumerate(zip(e.branches, static.at, strict=True)):
+        conditions = {} if there is None else there.contact
+        branches.append(replace(b, implied=(*b.implied, *conditions.values())) if conditions else b)
         if n not in kept:
             slack.append(b)
-        elif there is not None and there.contact:
+        elif there is not None and conditions:
             forces = _one_sided(there.reactions, law.newton).values()
             points = tuple(p for p in b.points if any(there.points.sign(p, f, numbers) == -1 for f in forces))
             slack += [replace(b, points=points)] if 0 < len(points) < len(b.points) else []
-    return tuple(slack)
-
-
-def in_contact(e: Equilibrium, static: StaticReactions | None) -> Equilibrium:
-    """The equilibria with the conditions under which contacts push and strings pull, which are not stated."""
-    if static is None or not any(there is not None and there.contact for there in static.at):
-        return e
-    conditions = (() if there is None else there.contact.values() for there in static.at)
-    branches = (replace(b, implied=(*b.implied, *c)) for b, c in zip(e.branches, conditions, strict=True))
-    return replace(e, branches=tuple(branches))
+    return replace(e, branches=tuple(branches), slack=tuple(slack))
 
 
 def static_reactions(

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.written.names import has_word
 from lagrange.core.diagnostics import Fragment
+from lagrange.document.math_writer import text
 from lagrange.expressions.edits import Draft, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 
@@ -33,6 +35,11 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
         if match and not any(has_word(name.split("^")[0].rstrip("²& "), text) for text in others):
             frequencies.append(f)
     return frequencies
+
+
+def stated_position(b: Branch) -> str:
+    """Where an equilibrium is: `theta1 = 0, theta2 = 0`."""
+    return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in b.relations) or "the equilibrium"
 
 
 def name_of_frequency(fragment: Fragment) -> str:
