@@ -55,3 +55,45 @@ def test_a_limit_that_no_forces_reach_is_not_admitted() -> None:
     cases = as_object(found)["rest"]["cases"]
     assert cases[0] == ["1 < mu"]
     assert all("<=" in condition for condition in cases[1])
+
+
+CRATE = """title: Crate dragged by an inclined rope
+parameters: {W: {value: 500 N}, mu: {value: 0.4}, theta: {value: 20 deg}}
+unknowns: [P]
+coordinates: [x, y]
+particles: {crate: {position: x*i + y*j}}
+constraints: {floor: {equation: y >= 0, reaction: N}}
+forces:
+  weight: {on: crate, vector: -W*j}
+  rope: {on: crate, vector: P*cos(theta)*i + P*sin(theta)*j}
+  rub: {friction: mu, static: mu, constraint: floor, on: crate, slip: i}
+find: impending
+"""
+
+
+def test_the_reactions_at_the_limit_contain_the_force_that_was_found() -> None:
+    """N = W − P sin θ with P = μ W/(cos θ + μ sin θ): 436.5 N, which presses."""
+    found = report(read_problem(Source("crate", CRATE)))
+    head, _, page = " ".join(terminal.text(found.derivation, found.notation, 200).split()).partition("1 The system")
+    assert "P = μ W/(cos θ + μ sin θ)" in head
+    assert "N = W cos θ/(cos θ + μ sin θ) that is N ≈ 436.5 N" in head
+    assert "The reaction is then" in page
+    assert "Contact requires" not in page
+
+
+def test_the_head_has_the_unknown_force_of_rest() -> None:
+    text = """title: Pipe held by a cord along the incline
+parameters: {W: positive, R: positive, mu: positive, alpha: acute}
+unknowns: [T]
+coordinates: [x, y, theta]
+bodies: {pipe: {position: x*i + y*j, angle: theta}}
+constraints: {incline: {equation: y >= R, reaction: N}}
+forces:
+  weight: {on: pipe, vector: -W*sin(alpha)*i - W*cos(alpha)*j}
+  cord: {on: pipe, vector: T*i, at: r_pipe + R*j}
+  rub: {friction: mu, static: mu, constraint: incline, on: pipe, at: r_pipe - R*j}
+find: equilibrium
+"""
+    found = report(read_problem(Source("pipe", text)))
+    head = " ".join(terminal.text(found.derivation, found.notation, 200).split()).partition("1 The system")[0]
+    assert "T = ½ W sin α" in head
