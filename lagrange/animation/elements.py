@@ -26,7 +26,7 @@ from lagrange.pictures.floats import FloatVector, NoValueError, plus
 from lagrange.pictures.limits import LONGEST_ROD_LABEL
 from lagrange.pictures.loads import as_words
 from lagrange.pictures.poses import Pose, angle_mark, distance_marks, relative_angle_mark, stands_still
-from lagrange.pictures.shapes import has_one_direction, plane_rotation
+from lagrange.pictures.shapes import has_one_direction, plane_rotation, push_sense
 from lagrange.pictures.sketch import apart, farthest, in_line, overlapping, same_ends, touches, toward
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import BodyShape, Drawn, FigureLine, Keeper, Outline
@@ -487,7 +487,7 @@ class Elements:
             solid = constraint is not None and (constraint.side is not None or constraint.by is Keeper.SURFACE)
             force = reaction.per_unit(name) if solid else None
             self.traced.append((f, own, position))
-            side = 0 if constraint is None or force is None else constraint.side or 1
+            side = 0 if constraint is None or force is None else push_sense(reaction) or 1
             push = -1 if force is None else self.at(force)
             self.add("trace", f=len(self.traced) - 1, v=push, s=side)
 

@@ -38,7 +38,7 @@ from lagrange.answers.readings import (
     without_displacements,
 )
 from lagrange.answers.references import Reference
-from lagrange.answers.results.contradictions import with_contradictions
+from lagrange.answers.results.contradictions import with_contradictions, with_factors_of_parameters
 from lagrange.answers.verdicts import (
     MIXED_CHOICES,
     NOT_JUDGED,
@@ -135,6 +135,7 @@ def check_equilibria(
         equations = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, MIXED_CHOICES) for a in readings for r in a)
         return AnswerVerdict(Verdict.UNREADABLE, equations, notes=notes)
     best = with_contradictions(best, readings, lambda systems: _best(systems, solved, reference))
+    best = with_factors_of_parameters(best, readings, solved)
     if best.verdict is Verdict.WRONG and [len(a) for a in readings] == [1]:
         from lagrange.answers.results.at_random import with_sign_of_root
 
@@ -295,7 +296,7 @@ def _explained(
     everything = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
     for e in [e for e in equilibria if e.branches]:
         values = dict(reference.values)
-        wrong = [a for a in everything if not _right(_verdict_of([a], e, reference, values))]
+        wrong = [a for a in everything if not _right(_verdict_of([a], e, reference, values))] or everything
         if why := next(_Wrong(wrong, e, reference, problem).reasons(), ""):
             return why
     return ""
@@ -338,6 +339,7 @@ class _Wrong:
         yield from self._varied(Variation(f"with {a} and {b} exchanged", "", rule={a: b, b: a}) for a, b in pairs)
         if self.problem is not None:
             yield from filter(None, [self.tried.of_differential(self.problem)])
+            yield from _equilibria(self.tried.of_one_force(self.problem, changing=True))
         yield from self._varied(v for v in variations if v.rule and v.clause.endswith("exchanged"))
         yield from self._varied(angles_and_lengths(self.stated, e))
         yield from self._with_sides(other_waves(self.wrong, slots.coordinates))

@@ -108,7 +108,8 @@ class Examiner:
         oscillations = any(v.linearization is not None for v in self.solution.views)
         coordinates = {q.name for v in self.solution.views if v.response is not None for q in v.response.by_coordinate}
         frequencies = FREQUENCY_WORDS if oscillations else ()
-        return *(a.question.name for a in self.solution.asked), *sorted(coordinates), *frequencies
+        amplitudes = ("amplitude", "Amplitude") if len(coordinates) == 1 else ()
+        return *(a.question.name for a in self.solution.asked), *sorted(coordinates), *frequencies, *amplitudes
 
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""

@@ -266,6 +266,9 @@ MOST_TAKEN_FORCES = 4
 MOST_MULTIPLIED = 6
 """Parameters of which one may have been multiplied by another: each pair is a derived system."""
 
+LONGEST_FACTORED = 60
+"""Operations of an equation at rest that is factored, to find factors in which there are only parameters."""
+
 LONGEST_SUM_OF_LENGTHS = 200
 """Operations of a velocity or force in which R − r is sought as a factor; shipped ones have up to 60."""
 
@@ -324,6 +327,9 @@ MOST_IN_SERIES = 4
 
 MOST_RESTING_FORCES = 8
 """Forces of a system at rest whose contributions to a wrong answer are compared one by one."""
+
+SHORTEST_RATIO = 6
+"""Operations of a ratio of contributions at rest that may contain a length which changes: l/x, l/(x - r cos(theta))."""
 
 RATIO_OPERATIONS = 12
 """Operations in a ratio of what a force contributes to what it should: a longer one is no single mistake."""

@@ -323,7 +323,7 @@ class StatedReactionsAtRest:
     def _explained(self, zero: sp.Expr) -> str:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
         from lagrange.answers.models.questions import explained_value
-        from lagrange.answers.results.resting import of_one_letter
+        from lagrange.answers.results.balances import of_one_letter
         from lagrange.answers.results.virtual_work import of_the_direction_alone
 
         if why := self._exchanged(zero):

@@ -63,7 +63,11 @@ _BULLET = re.compile(r"\s*(?:[*•◦▪]\s+)?")
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-+*]\s+)?")
 _NUMBER = re.compile(r"(?:\(\s*(?P<round>[0-9]{1,2})\s*\)\s*|(?P<point>[0-9]{1,2})\.\s+)")
 _ENUMERATION = re.compile(r"(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\s?\)\s*")
-_LABEL = re.compile(r"[^=:\\${}()+*/^]{0,60}:(?!=)\s*")
+_LABEL = re.compile(
+    r"[^=:\\${}()+*/^<>≤≥;]{0,60}:(?!=)\s*|\s*(?:for|if|when|where|für|wenn|falls|pour|si)\s[^=:\\${}()+*/^;]{0,60}:(?!=)\s*"
+    r"|[^\W\d_][^=:\\${}()+*/^]{2,40}\s\((?:at\s+)?[^()=:]{1,12}=[^()=:]{1,12}\)\s*:(?!=)\s*"
+)
+"""`Eq. 1:`, `for x' > 0:`, `Top (θ = π):` before an equation. Any other inequality before a colon is a statement."""
 _LABEL_WITH_MATHEMATICS = re.compile(
     r"(?=[^=:\\${}\n]*[^\W\d_]{2})[^=:\\${}\n<>≤≥]{1,80}(?<=[\w)]):(?!=)\s+(?=[^=:]*=)"
 )
@@ -201,7 +205,7 @@ def _in_latex(fragment: Fragment) -> Iterator[Fragment]:
     regions = _regions(body, marks)
     if regions or begins:
         for r in regions:
-            words = _SENTENCE.split(body.text[max(0, r.opens - 200) : r.opens])[-1].strip()
+            words = _SENTENCE.split(body.text[max(0, r.opens - 200) : r.opens].rstrip(" :"))[-1].strip()
             yield from (replace(e, beside=f"{words} {e.beside}".strip()) for e in rows(body, marks, r))
     else:
         yield from _in_lines(body)

@@ -239,8 +239,13 @@ class Judgement:
 
     @property
     def messages(self) -> tuple[Diagnostic, ...]:
-        """What could not be read, with its place, and how the rest was read where that may surprise."""
-        return (*self.equations.messages, *(m for a in self.others for m in a.messages))
+        """What could not be read, with its place, and how the rest was read where that may surprise.
+
+        That something is not judged is not said where another question judges it.
+        """
+        judged = {e.text for a in self.others for e in a.equations if e.verdict in _SETTLED}
+        every = (*self.equations.messages, *(m for a in self.others for m in a.messages))
+        return tuple(m for m in every if m.code != "not-judged" or judged.isdisjoint(_QUOTED.findall(m.message)))
 
     def at_hint_level(self, level: int) -> Judgement:
         """The same with the diagnoses of a hint level: 1, 2 or 3."""
@@ -303,6 +308,8 @@ class Judgement:
         return f"```text\n{self}\n```"
 
 
+_SETTLED = (Verdict.EQUIVALENT, Verdict.WRONG)
+_QUOTED = re.compile(r"`([^`]*)`")
 _HEADLINES = {
     Verdict.EQUIVALENT: "equivalent: the equations have the same solutions as the derived ones",
     Verdict.WRONG: "wrong: not every equation follows from the equations of motion",

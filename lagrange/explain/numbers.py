@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
@@ -78,7 +79,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         if view is not None:
             step = replace(step, body=(*step.body, *_critical(view, values, digits)))
         if step.rule is Rule.STATEMENT:
-            yield replace(step, body=(*step.body, *_given(values, digits)))
+            yield replace(step, body=(*step.body, *_given(solution, values, digits)))
         elif step.rule in (Rule.RESULT, Rule.MEANING):
             yield replace(step, body=tuple(_with_values(b, values, digits, bare, angles) for b in step.body))
         elif step.rule not in RESULTS:
@@ -110,10 +111,15 @@ def _at_rest(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple
                 yield (r.lhs, r.rhs), (limit,)
 
 
-def _given(values: Values, digits: int) -> Iterator[Block]:
-    """`Given: m = 2 kg, g = 9.81 m/s² and α = 30°`, in SI units, angles in degrees."""
+def _given(solution: Solution, values: Values, digits: int) -> Iterator[Block]:
+    """`Given: m = 2 kg, g = 9.81 m/s² and α = 30°`, in SI units, angles in degrees.
+
+    What the file has in kg stays so: a rate of mass in kg/s, which as a damping coefficient is in N s/m.
+    """
     digits = max(digits, 6)
+    by_mass = {p.symbol: p.unit for p in solution.problem.parameters if re.match(r"kg(?![A-Za-z])", p.unit)}
     quantities = [(p, values.quantity(p)) for p in sorted(values.numbers, key=str)]
+    quantities = [(p, replace(q, unit=by_mass.get(p, q.unit)) if q is not None else None) for p, q in quantities]
     given = [
         math(p, degrees(q.formula, digits) if q.unit == "rad" else q.shown(digits))
         for p, q in quantities
@@ -268,7 +274,9 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     if index_of(Purpose.GIVEN_VALUES, equation.condition) is None:
         number = ("that is ", *number)
     number = (*number, ", ", *angles[equation.sides]) if equation.sides in angles else number
-    return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
+    is_followed = equation.condition[-1:] in (("or",), (", or",))  # by another system: the number comes before
+    said = equation.condition[:-1] if is_followed else equation.condition
+    return replace(equation, condition=(*said, ", " if said else "", *number, *((", or",) if is_followed else ())))
 
 
 def _frequency(equation: Equation, values: Values) -> tuple[sp.Expr, Quantity] | None:

@@ -144,6 +144,9 @@ def _is_direct(asked: Asked) -> bool:
 
 def _terms_of(asked: Asked) -> Prose:
     values = [u.value for u in asked.used]
+    if asked.route is Route.IMPACT:
+        return prose("In the impact the reactions have the impulses" if len(values) > 1 else
+                     "In the impact the reaction has the impulse")  # fmt: skip
     if any(_moves(e) for e in values):
         return prose("In terms of position and velocity,", purpose=Purpose.IN_TERMS_OF)
     if any(not s.is_positive for e in values for s in e.free_symbols):
@@ -331,7 +334,9 @@ def _answer(asked: Asked) -> Iterator[Block]:
                     "this state, in the limit ", math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
     if any(b.provided for b in asked.branches):
         yield prose("This holds provided that the motion gets there, which is not decided here.", detail=Detail.BRIEF)
-    if asked.mirrored:
+    if asked.mirrored and not asked.initial:
+        yield prose("The motion may have either sense: one value belongs to each.")
+    elif asked.mirrored:
         yield prose("The initial state is an equilibrium, from which the motion may start in either direction: "
                     "one value belongs to each.")  # fmt: skip
     elif several and asked.route is Route.REST:
@@ -397,6 +402,8 @@ def _how(asked: Asked) -> tuple[Part, ...]:
         return ("Therefore",)
     if asked.route is Route.STATE:
         return ("In this state",)
+    if asked.route is Route.IMPACT:
+        return ("Hence",)
     if asked.route is Route.STABILITY:
         return ("There the forces balance for every value. By the second variation it is the limit of stability:",)
     if asked.route is Route.REST:

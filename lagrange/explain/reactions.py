@@ -300,7 +300,7 @@ def explain_reactions_at_rest(
                 body.append(prose(*place, " it is" if len(lines) == 1 else " they are"))
             body.append(display(*lines, boxed=True, detail=Detail.BRIEF))
         body += _open(there, newton)
-        body += explain_contacts(there.reactions, newton, place if several else ())
+        body += explain_contacts(there.reactions, newton, place if several else (), there.contact)
         slack = [r for r in would_act_backwards(there, newton) if r.constraint.side is None]
         if slack:
             forces = listed(math(r.symbol_of_force or r.force, sp.S.Zero, relation="<") for r in slack)

@@ -118,11 +118,16 @@ def equations(fragment: Fragment) -> Sequence[Fragment]:
         return (fragment,)
     marks = marks_of(fragment.text)
     regions = [r for r in delimited(marks)[0] if has_equation(marks, r)]
-    inside = sum(m.kind == "=" for r in regions for m in marks[r.first : r.last])
-    if inside < sum(m.kind == "=" for m in marks):  # `$\ddot x$ = 0`
+    inside = {m.start for r in regions for m in marks[r.first : r.last] if m.kind == "="}
+    outside = [m for m in marks if m.kind == "=" and m.start not in inside]
+    if any(not _COUNTS.search(fragment.text[max(0, m.start - 3) : m.end + 3]) for m in outside):  # `$\ddot x$ = 0`
         regions = []
     parts = [e for r in regions or [Region(0, len(fragment.text), 0, len(marks))] for e in rows(fragment, marks, r)]
     return parts or (piece(fragment, 0, len(fragment.text)),)
+
+
+_COUNTS = re.compile(r"[0-9]\s?=\s?[0-9]")
+"""A sum of whole numbers beside the mathematics, `$a = b$. Degrees of freedom: 6 - 1 = 5`."""
 
 
 def marks_of(text: str) -> list[LayoutMark]:

@@ -452,7 +452,12 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.searched.places import with_search
     from lagrange.mechanics.equilibrium.searched.valleys_in_numbers import check_minima
-    from lagrange.mechanics.equilibrium.static_reactions import slack_branches, static_reactions, with_spring_forces
+    from lagrange.mechanics.equilibrium.static_reactions import (
+        in_contact,
+        slack_branches,
+        static_reactions,
+        with_spring_forces,
+    )
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
@@ -473,6 +478,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         if view is own and solution.law is None:
             checks += check_workless(works, own.configuration)
         on_stage(_stage("stability", view))
+        resting = in_contact(resting, reactions)
         stability = stability_at_rest(resting)
         checks += check_minima(resting, stability)
         resting = replace(resting, slack=slack_branches(reactions, law, known))

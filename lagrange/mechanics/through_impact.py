@@ -6,6 +6,8 @@ of restitution is 0: a bullet that lodges stays in the block, a ball that reboun
 solved like any other: its equations of motion, first integrals and checks know nothing of the impact. Energy is lost in
 the instant of the impact, and may be conserved from then on.
 
+A question for a parameter with conditions on reactions alone is about their impulses.
+
 Where the impulse of a reaction vanishes: a hand that holds a rod is not jarred where 3 a = 2 l.
 
 An impulse is a quotient of polynomials in the parameters. It vanishes, and where it does so to an odd power it changes
@@ -26,9 +28,13 @@ from lagrange.core.symbols import base, prime
 from lagrange.mechanics.limits import MOST_VANISHING_TERMS
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion, impulsive_motion
 from lagrange.mechanics.momenta.impact_checks import check_impact
+from lagrange.mechanics.questions.elimination import eliminated
+from lagrange.mechanics.questions.forms import shown
+from lagrange.mechanics.questions.ranges import has_wrong_sign
+from lagrange.mechanics.questions.results import Asked, How, Route, Substituted
 from lagrange.mechanics.results import Solution
 from lagrange.problem.keys import Find
-from lagrange.problem.model import Choice, Constraint, InitialValue, Problem
+from lagrange.problem.model import Choice, Constraint, InitialValue, Problem, Question
 
 
 def with_impact(solution: Solution, taken: frozenset[str], solve_after: Callable[[Problem], Solution]) -> Solution:
@@ -47,10 +53,37 @@ def with_impact(solution: Solution, taken: frozenset[str], solve_after: Callable
         message = "the motion after the impact begins with the state that the impact leaves, and not with `initial`"
         help_ = "move what holds just before the impact to `before` under `impact`, and leave `initial` out"
         raise ProblemError(Diagnostic("two-starts", message, problem.initial[0].span, help=help_))
-    after = solve_after(problem_after(problem, motion))
+    answers = {q.name: a for q in problem.questions if (a := answer_by_impulses(q, motion, problem)) is not None}
+    later = tuple(q for q in problem.questions if q.name not in answers)
+    if not later:
+        return replace(solution, asked=tuple(answers.values()))
+    after = solve_after(problem_after(replace(problem, questions=later), motion))
     known = {(c.name, c.choice) for c in checks}
     checks += tuple(c for c in after.checks if (c.name, c.choice) not in known)
-    return replace(solution, after=after, asked=after.asked, checks=checks, given_up=after.given_up)
+    answers |= {a.question.name: a for a in after.asked}
+    asked = tuple(answers[q.name] for q in problem.questions if q.name in answers)
+    return replace(solution, after=after, asked=asked, checks=checks, given_up=after.given_up)
+
+
+def answer_by_impulses(question: Question, motion: ImpulsiveMotion, problem: Problem) -> Asked | None:
+    """The parameter for which reactions have given impulses: where a rod is struck so that its hinge feels no blow.
+
+    None for a question about anything else, or if the impulses do not determine it.
+    """
+    impulses = {i.reaction.constraint.reaction: i.value for i in motion.impulses if i.value is not None}
+    parameters = {p.symbol for p in problem.parameters}
+    named = set().union(*(c.function.free_symbols for c in question.when))
+    if question.quantity not in parameters or not named & impulses.keys() or not named <= parameters | impulses.keys():
+        return None
+    stated = tuple((c.lhs.xreplace(impulses), c.rhs.xreplace(impulses)) for c in question.when)
+    parameter = question.quantity
+    elimination = eliminated([a - b for a, b in stated], parameter, [parameter], [], parameter)
+    branches = tuple(shown(b) for b in elimination.branches if not has_wrong_sign(b, parameter))
+    if not branches or not elimination.solved:
+        return None
+    used = tuple(Substituted(s, impulses[s]) for s in sorted(named & impulses.keys(), key=str))
+    how, verified = How.EXACT, elimination.verified
+    return Asked(question, "", how, Route.IMPACT, (), used, stated, parameter, branches, verified=verified)
 
 
 def problem_after(problem: Problem, motion: ImpulsiveMotion) -> Problem:

@@ -26,6 +26,7 @@ from lagrange.pictures.shapes import (
     in_space,
     line_of_action,
     plane_rotation,
+    push_sense,
     reaction_point,
     turns,
 )
@@ -231,10 +232,11 @@ class Supports:
             with suppress(NoValueError):
                 names, way = self._carried_by(reaction)
                 up = toward((0.0, 0.0), self.system.page.way(unit(way)))
-                up = up if reaction.constraint.side > 0 else scaled(up, -1.0)
+                up = scaled(up, reaction.constraint.side if reaction.directions is None else push_sense(reaction))
                 if len(names) > 1 and inner(up, self.down) < -0.99:
                     self._under(names, up)
-        struck = self.system.problem.impact is not None and self.system.problem.gravity is not None
+        upright = self.system.problem.gravity is not None or {"up", "down"} & {*self.system.problem.axes.values()}
+        struck = self.system.problem.impact is not None and upright
         named = [p.name for p in self.system.configuration.points if p.name in self.system.problem.figure.shapes]
         drawn = any(line.kind is StrokeKind.GROUND for line in self.sketch.lines)
         if struck and named and not drawn and ON_FLOOR.search(self.system.text):
@@ -299,7 +301,7 @@ class Supports:
             return False
         if radius is None or len(poses) < 3:
             return False
-        if (reaction.constraint.side or self._upward(ways[0])) < 0:
+        if (push_sense(reaction) or self._upward(ways[0])) < 0:
             ways = [minus((0.0, 0.0, 0.0), w) for w in ways]
         contacts = [plus(c, w, -radius) for c, w in zip(centres, ways, strict=True)]
         page, size = self.system.page, radius * self.system.page.scale

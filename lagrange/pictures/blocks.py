@@ -55,6 +55,11 @@ BOARD = 0.16
 """Thickness of a board."""
 
 
+def is_vehicle(name: str) -> bool:
+    """Whether something is called a car or the like."""
+    return bool(_VEHICLE.search(name.replace("_", " ")))
+
+
 @record
 class Way:
     """The straight line on which a particle moves, on the page.
@@ -155,14 +160,17 @@ class Blocks:
             page, pose = self.system.page, self.system.pose
             near = {q.name: page(pose.at(q.position)) for q in self.particles() if q.name != p.name}
             riders = {name: at for name, at in near.items() if self.is_on(way, at) and (is_board or name in upon)}
+            high = [inner((at[0] - way.at[0], at[1] - way.at[1]), way.up) for name, at in near.items() if name in upon]
+            on_top = kept and not riders and len(high) == 1 and high[0] > PARTICLE
+            riders |= {name: at for name, at in near.items() if on_top and name in upon}
             rolling = dict(self.rolling_on(way)) if is_board else {}
             riders |= rolling
             if not riders:
                 continue
             boxes = any(self.is_block(q) for q in self.particles() if q.name in riders)
-            thick = BOARD if is_board else HIGH
+            thick = high[0] if on_top else BOARD if is_board else HIGH
             top = thick if kept else 0.0 if rolling else -HIGH / 2 if boxes else -PARTICLE
-            self.on_board |= dict.fromkeys(riders, top if kept else 0.0)
+            self.on_board |= dict.fromkeys(riders, SAME_ON_PAGE if on_top else top if kept else 0.0)
             places = [inner(at, way.along) - inner(way.at, way.along) for at in riders.values()]
             start, end = min([*places, 0.0]) - 0.8, max([*places, 0.0]) + 0.8
             corners = [beyond(beyond(way.at, way.along, x), way.up, y) for x, y in

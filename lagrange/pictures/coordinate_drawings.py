@@ -16,6 +16,8 @@ import sympy as sp
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus
+from lagrange.pictures.inferred import STRINGS
+from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.linkages import Links
 from lagrange.pictures.poses import (
     AngleMark,
@@ -223,6 +225,8 @@ class CoordinateDrawings:
             foot = plus(level, minus(point, centre))
             self.sketch.line([self.flat(point), self.flat(foot)], StrokeKind.GUIDE)
             centre, point = level, foot
+        if not upright or level is None:
+            self.hanger(centre, point)
         self.guide(self.flat(centre), self.flat(point))
         radius = math.hypot(*minus(point, centre))
         part = min(0.8, ARC * 1.1 / (radius * self.page.scale))
@@ -230,6 +234,21 @@ class CoordinateDrawings:
         self.sketch.line([self.flat(centre), self.flat(plus(centre, mark.reference, part * 1.3))], StrokeKind.REFERENCE)
         self.sketch.arc(arc, StrokeKind.ANGLE)
         self.sketch.label(mark.coordinate, arc[10], toward(self.flat(centre), arc[10]))
+
+    def hanger(self, centre: FloatVector, point: FloatVector) -> None:
+        """The chain or string on which a particle swings from an arm that goes around k, and that arm."""
+        text, away = self.system.text, math.hypot(centre[0], centre[1])
+        swings = any(math.dist(point, place) < SAME_ON_PAGE for place in self.places.values())
+        if not (swings and away > SAME_ON_PAGE and STRINGS.search(text) and self.system.is_bare):
+            return
+        lines = [(centre, point, StrokeKind.STRING)]
+        if ROD.search(text):
+            lines.append(((0.0, 0.0, centre[2]), centre, StrokeKind.ROD))
+        for first, second, kind in lines:
+            a, b = self.flat(first), self.flat(second)
+            if not any(same_ends((a, b), other) for other in self.busy):
+                self.sketch.line([a, b], kind)
+                self.busy.append((a, b))
 
     def guide(self, a: PagePoint, b: PagePoint) -> None:
         """A dashed line if none is drawn between these points yet."""

@@ -266,9 +266,15 @@ def _wrapped(angle: float) -> float:
 def patch(
     sketch: Sketch, view: View, page: Callable[[FloatVector], PagePoint], grid: Sequence[Sequence[FloatVector]]
 ) -> None:
-    """A surface given by a grid of places: light from the upper left, in front of what is farther from the reader."""
+    """A surface given by a grid of places: light from the upper left, in front of what is farther from the reader.
+
+    What goes around an axis is shaded; a patch is of one shade, as the border of two would be a staircase of faces.
+    """
     light = unit(plus(view.toward_reader, (0.2, -0.5, 0.9)))
     rows, columns = len(grid) - 1, len(grid[0]) - 1
+    sides = [[row[0] for row in grid], [row[-1] for row in grid]]
+    meets = all(math.dist(a, b) < SAME_ON_PAGE for a, b in zip(*sides, strict=True))  # all around an axis
+    closed = meets or all(math.dist(a, b) < 0.01 for a, b in zip(grid[0], grid[-1], strict=True))
     for m in range(rows):
         for n in range(columns):
             corners = [grid[m][n], grid[m + 1][n], grid[m + 1][n + 1], grid[m][n + 1]]
@@ -276,11 +282,9 @@ def patch(
             if math.hypot(*normal) < 1e-12:
                 continue
             bright = abs(inner(unit(normal), light))
-            shade = 2 if bright > 0.75 else 3 if bright > 0.4 else 4
+            shade = 2 if bright > 0.75 or not closed else 3 if bright > 0.4 else 4
             depth = sum(inner(c, view.toward_reader) for c in corners) / 4
             sketch.face([page(c) for c in corners], shade, depth - 1e3, StrokeKind.FACE)
-    sides = [[row[0] for row in grid], [row[-1] for row in grid]]
-    meets = all(math.dist(a, b) < SAME_ON_PAGE for a, b in zip(*sides, strict=True))  # all around an axis
     edges = [*([] if meets else sides), list(grid[0]), list(grid[-1])]
     for edge in edges:
         points = [page(p) for p in edge]

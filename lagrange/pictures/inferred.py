@@ -23,12 +23,12 @@ from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
-from lagrange.pictures.poses import angle_mark, is_distance, relative_angle_mark
-from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, lies_on, same_ends, toward
+from lagrange.pictures.poses import circle_of, is_distance, relative_angle_mark
+from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, lies_on, same_ends, scaled, toward
 from lagrange.pictures.systems import ROD, SystemPicture, is_string
 from lagrange.problem.model import Keeper, Outline
 
-_STRING = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
+STRINGS = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
 _PENDULUM = re.compile("pendulum", re.IGNORECASE)
 _PULLEY, _PULLEYS = (re.compile(rf"\b(pulley|peg|drum){s}\b", re.IGNORECASE) for s in ("", "s"))
 LARGE_PULLEY = 2.2
@@ -114,7 +114,7 @@ class Inferred:
         """The strings and rods of chains, from a fixed place to the joints of bodies and to particles."""
         bodies = {r.name for r in self.system.configuration.rotations}
         for joint in self.system.swinging_joints if not self.system.is_round else ():
-            rope, bar = _STRING.search(self.system.text), ROD.search(self.system.text)
+            rope, bar = STRINGS.search(self.system.text), ROD.search(self.system.text)
             if not (rope or bar):
                 continue
             kind = StrokeKind.STRING if rope and (joint.name in bodies or not bar) else StrokeKind.ROD
@@ -135,7 +135,7 @@ class Inferred:
         origins = [o.position for o in self.system.configuration.points if o.name != p.name]
         for q in self.pose.coordinates:
             with suppress(NoValueError):
-                mark = angle_mark(self.pose, q, p.position)
+                mark = circle_of(self.pose, q, p.position)
                 if mark is None:
                     continue
                 if p.mass == 0 and self._is_braced(p, mark.centre):
@@ -173,20 +173,20 @@ class Inferred:
         return any(math.hypot(*outer(arm, way)) > SAME_ON_PAGE for way in ways)
 
     def _is_fixed(self, q: sp.Symbol, position: Vector) -> bool:
-        marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
+        marks = [circle_of(pose, q, position) for pose in (self.pose, *self.pose.others)]
         centres = [m.centre for m in marks if m is not None]
         return len(centres) > 1 and all(math.dist(centres[0], c) < SAME_ON_PAGE for c in centres)
 
     def _kind(self, length: float, q: sp.Symbol, position: Vector) -> StrokeKind | None:
         """A rod, a string, or None if it may be neither."""
-        marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
+        marks = [circle_of(pose, q, position) for pose in (self.pose, *self.pose.others)]
         lengths = [math.dist(m.centre, m.point) for m in marks if m is not None]
         called = " ".join(f"{c.meaning}" for c in self.system.problem.coordinates if c.symbol != q)
         if any(abs(x - length) > SAME_ON_PAGE for x in lengths):
-            return StrokeKind.STRING if _STRING.search(called) else None
+            return StrokeKind.STRING if STRINGS.search(called) else None
         if self.system.is_round:
             return None
-        if _STRING.search(self.system.text) and not ROD.search(_PENDULUM.sub("", self.system.text)):
+        if STRINGS.search(self.system.text) and not ROD.search(_PENDULUM.sub("", self.system.text)):
             return StrokeKind.STRING
         return StrokeKind.ROD if ROD.search(self.system.text) else None
 
@@ -367,6 +367,13 @@ class Inferred:
             return
         along = toward(tops[0], tops[1])
         up = (-downs[0][0], -downs[0][1])
+        field = self.system.down
+        falls = None if field is None else toward((0.0, 0.0), self.system.page.way(self.pose.at(field)))
+        if falls is not None and inner(falls, up) > 0.5:  # heights are counted from below, and weights hang
+            up = scaled(falls, -1.0)
+            highest = max(inner(at, up) for at in bottoms) + 1.4
+            tops = [beyond(at, up, highest - inner(at, up)) for at in bottoms]
+            along = toward(tops[0], tops[1])
         if abs(along[0] * up[0] + along[1] * up[1]) > SAME_ON_PAGE:
             return
         text = self.system.text

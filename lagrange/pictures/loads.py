@@ -36,14 +36,23 @@ from lagrange.problem.model import AppliedForce, Friction
 
 
 def constraint_curve(
-    pose: Pose, row: Row, position: Vector, on_page: Callable[[FloatVector], PagePoint], frame: Box
+    pose: Pose,
+    row: Row,
+    position: Vector,
+    on_page: Callable[[FloatVector], PagePoint],
+    frame: Box,
+    but: Sequence[sp.Symbol] = (),
 ) -> tuple[list[PagePoint], bool] | None:
-    """The curve on the page and whether it is closed; None if the constraint is not on one particle in a plane."""
+    """The curve on the page and whether it is closed; None if the constraint is not on one particle in a plane.
+
+    but  coordinates that keep their values
+    """
     if row.finite is None:
         return None
-    moving = set(pose.coordinates)
+    moving = set(pose.coordinates) - {*but}
     f = sp.sympify(row.finite, strict=True)
-    own = [q for q in pose.coordinates if q in set().union(*(c.free_symbols for c in position.fixed().components))]
+    placed = set().union(*(c.free_symbols for c in position.fixed().components)) - {*but}
+    own = [q for q in pose.coordinates if q in placed]
     if len(own) != 2 or not (f.free_symbols & moving) <= set(own):
         return None
     slopes = [f.diff(q) for q in own]

@@ -101,6 +101,11 @@ class Pose:
             except NoValueError:
                 continue
             poses.append(replace(self, values=values))
+        kept = (abs(p.values[q] - self.values[q]) < SAME_PLACE for p in poses[:4] for q in self.coordinates)
+        if len(self.coordinates) == 1 and all(kept):
+            # A strut or string that is taken away in thought keeps the only coordinate: without it, the rods move.
+            [q] = self.coordinates
+            return tuple(self.moved(q, by) for by in (0.11, -0.13, 0.19, -0.17))
         return tuple(poses[:4])
 
 
@@ -148,6 +153,11 @@ def _onto_constraints(
 ) -> dict[sp.Symbol, float]:
     """A position on the constraints, if possible with the coordinates in which something is struck."""
     coordinates, finite = configuration.slots.coordinates, configuration.finite_constraints
+    drawn_by_file = bool(problem.figure.at)
+    if problem.impact is not None and not drawn_by_file and coordinates == tuple(q.symbol for q in problem.coordinates):
+        touching = [sp.sympify(c.lhs - c.rhs, strict=True) for c in problem.impact.constraints if not c.kinematic]
+        finite = (*finite, *touching)
+        slopes = [*slopes, *([f.diff(q) for q in coordinates] for f in touching)]
     struck = chosen_values(problem) if problem.impact is not None else {}
     free = [n for n, q in enumerate(coordinates) if q.name not in struck]
     if len(free) < len(coordinates):
@@ -515,6 +525,14 @@ def angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector) -> AngleMark
         return None
     arc = tuple(minus(expected(-q + q * k / 20), centre) for k in range(21))
     return AngleMark(coordinate, centre, point, arc)
+
+
+def circle_of(pose: Pose, coordinate: sp.Symbol, position: Vector) -> AngleMark | None:
+    """The same where the angle is 0 as well, as that of a pendulum that strikes at its lowest point."""
+    if abs(pose.values[coordinate]) > 0.05:
+        return angle_mark(pose, coordinate, position)
+    turned = angle_mark(pose.moved(coordinate, 0.3), coordinate, position)
+    return None if turned is None else replace(turned, point=pose.at(position))
 
 
 def relative_angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector, origin: Vector) -> AngleMark | None:

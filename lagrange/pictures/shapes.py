@@ -64,6 +64,15 @@ def force_and_moment(pose: Pose, reaction: Reaction, body: str) -> tuple[FloatVe
     return pose.at(force or zero), pose.at(moment or zero)
 
 
+def push_sense(reaction: Reaction) -> int:
+    """1 if a force of 1 pushes to the side that a one-sided constraint permits, else −1; 0 if both are permitted.
+
+    A reaction with a name of its own is positive in contact; a multiplier goes with the gradient of left minus right.
+    """
+    side = reaction.constraint.side
+    return 0 if side is None else 1 if reaction.given is not None else side
+
+
 def shape(pose: Pose, rotation: Rotation, reactions: Sequence[Reaction]) -> Shape:
     """The shape of a body as revealed by the reactions on it."""
     held, at, radius = [], {}, 0.0

@@ -33,6 +33,7 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.declared import patch
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, place, plus, projected, unit
+from lagrange.pictures.implied.guides import surface_of_coordinates
 from lagrange.pictures.limits import SAME_PLACE
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.sketch import PARTICLE, Sketch, toward
@@ -129,7 +130,7 @@ def surface_scene(solution: Solution, notation: Notation) -> Scene | None:
     sketch.dot(at)
     end = surface.page(plus(here, normal, 1.25))
     sketch.arrow(at, end, StrokeKind.REACTION)
-    sketch.label(UnitVector("n"), end, toward(at, end), optional=True)
+    sketch.label(VectorSymbol(f"nabla({_function(solution).name})"), end, toward(at, end), optional=True)
     virtual = plus(here, way, 1.15)
     _arrow(sketch, surface, here, virtual, VectorSymbol(f"delta(r_{point.name})"), StrokeKind.FORCE)
     if surface.moves is not None:
@@ -188,13 +189,18 @@ def _surface(solution: Solution) -> _Surface | None:
 
 def _carried(solution: Solution) -> sp.Expr | str:
     """What the surface is displaced by in dt: `u dt`."""
-    [relation] = (sp.sympify(f, strict=True) for f in solution.own.configuration.finite_constraints)
-    [function, *_] = relation.atoms(Unspecified)
-    for argument in function.arguments:
+    for argument in _function(solution).arguments:
         rate = -sp.diff(argument, t)
         if rate.is_Symbol:
             return rate * differential(t)
     return "in dt"
+
+
+def _function(solution: Solution) -> Unspecified:
+    """The function f of the surface f = const."""
+    [relation] = solution.own.configuration.finite_constraints
+    function: Unspecified = next(iter(relation.atoms(Unspecified)))
+    return function
 
 
 def surface_free_body(solution: Solution, notation: Notation) -> Scene | None:
@@ -293,6 +299,9 @@ def constraints_in_space(system: SystemPicture) -> InSpace:
                 grids.append(surface(field, here))
             elif _is_on_table(system, p):
                 tables.append(_table(here))
+            else:
+                grid = surface_of_coordinates(system, p)
+                grids += [grid] if grid else []
     return InSpace(tuple(grids), tuple(curves), tuple(tables))
 
 

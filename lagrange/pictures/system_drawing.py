@@ -16,22 +16,22 @@ from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import Notation
-from lagrange.document.scene import Box, PagePoint, Scene, StrokeKind
-from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.document.scene import PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.free_bodies import Rod
-from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.bearings import Supports, circle_through, slots
-from lagrange.pictures.blocks import FLOOR, WALL, Blocks, mark_slopes
+from lagrange.pictures.bearings import Supports, slots
+from lagrange.pictures.blocks import FLOOR, WALL, Blocks, is_vehicle, mark_slopes
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
 from lagrange.pictures.implied.body_shapes import has_axle, with_implied_shapes
+from lagrange.pictures.implied.curves import ConstraintCurves
+from lagrange.pictures.implied.guides import couplers, cylinders_touched, hoops, struts
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
 from lagrange.pictures.linkages import links
-from lagrange.pictures.loads import ARROW, Arrows, as_words, constraint_curve
+from lagrange.pictures.loads import ARROW, Arrows, as_words
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import (
     HINGE,
@@ -52,9 +52,10 @@ from lagrange.pictures.solids import Solids
 from lagrange.pictures.springs_dampers import SpringsDampers
 from lagrange.pictures.surfaces import InSpace, constraints_in_space
 from lagrange.pictures.systems import ROD, SystemPicture, is_string, rod_ends
-from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
+from lagrange.problem.model import BodyShape, Drawn, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
+_COMPASS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 ELLIPSOID = (0.75, 0.55, 0.4)
 """Semi-axes of a body of which nothing is known, in centimetres."""
 
@@ -65,7 +66,9 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
         try:
             implied = with_implied_shapes(system)
             in_space = constraints_in_space(implied)
-            drawing = _Drawing(replace(implied, around=in_space.places) if inferred else implied, in_space)
+            circles = [*hoops(implied), *cylinders_touched(implied)]
+            around = (*in_space.places, *(plus(c, (r * x, r * y, 0.0)) for c, r in circles for x, y in _COMPASS))
+            drawing = _Drawing(replace(implied, around=around) if inferred else implied, in_space)
             drawing.all(with_loads, inferred)
         except NoValueError:
             return None
@@ -101,6 +104,8 @@ class _Drawing:
             self.sketch.line([start, end], StrokeKind.ROD)
             self.busy.append((start, end))
             self.sketch.hinge(start)
+        if with_inferred and "constraints" not in self.hidden:
+            self.guides()
         inferred = Inferred(self.system, self.sketch, self.busy)
         if with_inferred:
             inferred.all()
@@ -128,7 +133,7 @@ class _Drawing:
         self.mounts += [at for at in self.supports.mounts if all(apart(at, m) > SAME_ON_PAGE for m in self.mounts)]
         self.supports_of_rods(springs.mounted)
         if "constraints" not in self.hidden:
-            self.curves()
+            ConstraintCurves(self.system, self.sketch, self.busy, self.places).draw()
             if with_inferred:
                 self.in_space.draw(self.system, self.sketch)
         self.sketch.cut_grounds([*self.supports.touched, *map(self.flat, self.places.values())])
@@ -203,6 +208,21 @@ class _Drawing:
                 start, end = self.flat(self.places[a]), self.flat(self.places[b])
                 self.sketch.line([start, end], StrokeKind.ROD)
                 self.busy.append((start, end))
+
+    def guides(self) -> None:
+        """Hoops, fixed cylinders, couplers and struts that the coordinates and the words show."""
+        for centre, radius in cylinders_touched(self.system):
+            self.sketch.circle(self.flat(centre), radius * self.page.scale, 2)
+        for centre, radius in hoops(self.system):
+            self.sketch.circle(self.flat(centre), radius * self.page.scale, 0)
+        rods = [(*ends, False) for ends in couplers(self.system)]
+        for first, second, string in (*rods, *struts(self.system)):
+            ends = self.flat(first), self.flat(second)
+            if not any(same_ends(ends, other) for other in self.busy):
+                self.sketch.line([*ends], StrokeKind.STRING if string else StrokeKind.ROD)
+                self.busy.append(ends)
+        for first, _, _ in rods:
+            self.sketch.hinge(self.flat(first))
 
     def stands(self, rod: Rod) -> bool:
         """Whether the centre of a rod is fixed."""
@@ -389,6 +409,8 @@ class _Drawing:
             a, b = farthest([centre, *held])
             self.sketch.capsule(a, b, 0.12)
             self.busy.append((a, b))
+        elif len(held) == 2:
+            self.on_two_feet(p.name, centre, held)
         elif held:
             way = toward(centre, held[0])
             reach = max(apart(centre, h) for h in held) + 0.18
@@ -404,6 +426,18 @@ class _Drawing:
         for link in self.links.held.get(p.name, ()):
             self.sketch.hinge(self.flat(link))
         self.supports.draw(p, rotation)
+
+    def on_two_feet(self, name: str, centre: PagePoint, feet: Sequence[PagePoint]) -> None:
+        """A body that is held at two points which are in no line with its mass centre: a box from there up."""
+        along = toward(*feet)
+        high = inner((centre[0] - feet[0][0], centre[1] - feet[0][1]), left_of(along))
+        up, high = (left_of(along), high) if high > 0 else (scaled(left_of(along), -1.0), -high)
+        low = min(0.35 * high, 0.22) if is_vehicle(name) else 0.0
+        corners = [beyond(beyond(foot, along, out), up, y) for y, order in ((low, 1), (1.7 * high, -1))
+                   for foot, out in list(zip(feet, (-0.3, 0.3), strict=True))[::order]]  # fmt: skip
+        for foot in feet if low else ():
+            self.sketch.circle(beyond(foot, up, low), low, 3)
+        self.sketch.face(corners, 2)
 
     def ellipsoid(self, p: MassPoint, rotation: Rotation) -> None:
         """A body of which nothing more is known; its outline on the page is an ellipse with the matrix Σ a² u uᵀ."""
@@ -448,75 +482,6 @@ class _Drawing:
             x, y = -sum(w[0] for w in ways), -sum(w[1] for w in ways)
             prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 1e-3 else (0.7, 0.7)
             self.sketch.label(as_words(p.name), at, prefer, clear=PARTICLE, optional=True)
-
-    def curves(self) -> None:
-        if not self.system.view.planar:
-            return
-        points = [self.origin, *(self.flat(p) for p in self.places.values())]
-        for reaction in self.system.newton.reactions:
-            if reaction.name in self.hidden:
-                continue
-            if self.system.is_rod(reaction) or reaction.directions is None or len(reaction.directions) != 1:
-                continue
-            [name] = reaction.directions
-            p = next(x for x in self.system.configuration.points if x.name == name)
-            row = next((r for r in self.system.configuration.rows if r.name == reaction.name), None)
-            if row is None or name in {r.name for r in self.system.configuration.rotations}:
-                continue
-            frame = Box.around(points).grown(1.5)
-            curve = constraint_curve(self.pose, row, p.position, self.page, frame)
-            if curve is not None:
-                points_on_curve, closed = curve
-                if not closed and in_line(points_on_curve[0], points_on_curve[1:]):
-                    points_on_curve = [points_on_curve[0], points_on_curve[-1]]
-                if self.tied(reaction, points_on_curve, name):
-                    continue
-                side = self.forbidden_side(reaction, row, points_on_curve)
-                if side:
-                    ring = [*points_on_curve, points_on_curve[0]] if closed else points_on_curve
-                    self.sketch.ground(ring if side > 0 else ring[::-1])
-                else:
-                    self.sketch.line(points_on_curve, StrokeKind.CURVE, closed=closed)
-                if in_line(points_on_curve[0], points_on_curve[1:]):
-                    self.busy.append((points_on_curve[0], points_on_curve[-1]))
-
-    def tied(self, reaction: Reaction, curve: Sequence[PagePoint], name: str) -> bool:
-        """Draw the string or rod that keeps a particle on a circle where the file calls it so; whether it does."""
-        by = reaction.constraint.by
-        called = is_string(reaction) or by is Keeper.ROD or (by is None and ROD.search(reaction.name))
-        centre = circle_through(curve[:: max(len(curve) // 12, 1)]) if called else None
-        if centre is None:
-            return False
-        at = self.flat(self.places[name])
-        if not any(same_ends((centre, at), other) for other in self.busy):
-            self.sketch.line([centre, at], StrokeKind.STRING if is_string(reaction) else StrokeKind.ROD)
-            self.busy.append((centre, at))
-            self.sketch.hinge(centre)
-        return True
-
-    def forbidden_side(self, reaction: Reaction, row: Row, curve: Sequence[PagePoint]) -> int:
-        """On which side of a curve its particle cannot be: 1 to the right of the way along it, −1 to the left, 0 if
-        it may be on neither, as on a wire.
-        """
-        constraint = next((c for c in self.system.problem.constraints if c.name == row.name), None)
-        if constraint is None or constraint.by in (Keeper.WIRE, Keeper.ROD, Keeper.STRING, Keeper.HINGE):
-            return 0
-        field = self.system.problem.gravity
-        [name] = reaction.directions or ("",)
-        force = reaction.per_unit(name)
-        if force is None:
-            return 0
-        if constraint.side is not None:
-            push = self.page.way(self.pose.at(force))
-            push = push if constraint.side > 0 else scaled(push, -1.0)
-        elif field is not None and constraint.by is Keeper.SURFACE:
-            push = scaled(self.page.way(self.pose.at(field)), -1.0)
-        else:
-            return 0
-        at = self.flat(self.places[name])
-        here = min(range(len(curve) - 1), key=lambda n: apart(curve[n], at))
-        left = left_of(toward(curve[here], curve[here + 1]))
-        return 1 if left[0] * push[0] + left[1] * push[1] > 0 else -1
 
     def name_origin(self) -> None:
         units = [u for n, u in enumerate(self.system.view.units) if n in self.system.view.shown]

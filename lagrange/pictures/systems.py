@@ -32,7 +32,7 @@ from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inn
 from lagrange.pictures.implied.side_by_side import beside
 from lagrange.pictures.joints import SwingingJoint, circle_centres, holds, same_everywhere, swinging_joints
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, SAME_PLACE, WIDTH
-from lagrange.pictures.poses import BOWL, Pose, angle_mark, general_pose, notable
+from lagrange.pictures.poses import BOWL, Pose, angle_mark, circle_of, general_pose, notable
 from lagrange.pictures.shapes import Shape, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
 from lagrange.problem.model import AppliedForce, Drawn, Figure, FigureMark, Keeper, Outline, Problem
@@ -278,7 +278,7 @@ class SystemPicture:
             turns = any(q in a.free_symbols for c in components for a in c.atoms(sp.sin, sp.cos))
             start, end = (here - 1.5 * math.pi, here + 1.5 * math.pi) if turns else (-1.3 * here, 1.3 * here)
             with suppress(NoValueError):
-                if angle_mark(self.pose, q, p.position) is not None:
+                if circle_of(self.pose, q, p.position) is not None:
                     start, end = here, here + 2 * math.pi
                     if not self.is_round:
                         continue
@@ -342,7 +342,8 @@ class SystemPicture:
             reach = max([known.radius, *(math.hypot(*held) for held in known.held)])
             reach = reach if known.radius or known.held else 0.0
             flat += [(x - reach, y - reach), (x + reach, y + reach)]
-        flat += [self.view.flat(place) for path in self.paths.values() for place in path]
+        bodies = {r.name for r in self.configuration.rotations}
+        flat += [self.view.flat(place) for name, path in self.paths.items() if name not in bodies for place in path]
         for at, radius in self._circles():
             x, y = self.view.flat(at)
             flat += [(x - radius, y - radius), (x + radius, y + radius)]

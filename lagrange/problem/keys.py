@@ -406,7 +406,9 @@ ANSWERS = Keys(
         Key("integrable", Named(OneOf(("true", "false")), new=False), "Which constraints are integrable: {rod: true}."),
         Key("equations", one_or_list("equation"), "The equations of motion."),
         Key("equilibrium", "alternatives", "A list is one system; lists in a list are alternatives."),
-        Key("reactions", Named("expression", new=False), "Reactions by the names of their constraints."),
+        Key(
+            "reactions", Named("expression", new=False), "Reactions, by their own names or those of their constraints."
+        ),
         Key("rest", one_or_list("text"), "With friction: the conditions under which it can be at rest."),
         Key("frequencies", "alternatives", "Of small oscillations; lists in a list are those of several equilibria."),
         Key("decay", "alternatives", "Decay rates of damped small oscillations, in the same form: c/(2*m)."),

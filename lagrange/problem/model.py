@@ -419,25 +419,34 @@ class Measured:
 
 @record
 class InitialValue:
-    """The value of a coordinate or velocity at t = 0; `measured` where the file gives it as a number with a unit."""
+    """The value of a coordinate or velocity at t = 0.
+
+    measured     where the file gives it as a number with a unit
+    factor       of the velocity, where the file gives a multiple of it: r of r φ' = 9 km/s
+    hides_units  whether a term of it had a unit, R + 500 km: it is a number in SI now, without a dimension
+    """
 
     symbol: sp.Symbol
     value: sp.Expr
     span: Span
     measured: Measured | None = None
+    factor: sp.Expr = sp.S.One
+    hides_units: bool = False
 
 
 @record
 class Condition:
     """An equation lhs = rhs that holds at the state that is asked about.
 
-    measured  the right side, where the file gives it as a number with a unit
+    measured     the right side, where the file gives it as a number with a unit
+    hides_units  whether a term of a side had a unit, y = L/2 + 3 m
     """
 
     lhs: sp.Expr
     rhs: sp.Expr
     span: Span
     measured: Measured | None = None
+    hides_units: bool = False
 
     @property
     def function(self) -> sp.Expr:

@@ -32,7 +32,7 @@ them has the dimension of the other side, that is meant, which a note says. Othe
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -128,11 +128,31 @@ def read_state(node: Node | None, context: LoadContext, scope: Scope, at: Instan
             context.diagnostics.report(Diagnostic("declared-twice", message, key.span, help="keep one of the two"))
             continue
         values[read.symbol] = read
-    return tuple(values.values())
+    divided = (partial(_divided, v, values, scope.slots.coordinates) for v in values.values())
+    read_all = (context.diagnostics.attempt(v) for v in divided)
+    return tuple(v for v in read_all if v is not None)
+
+
+def _divided(
+    stated: InitialValue, values: Mapping[sp.Symbol, InitialValue], coordinates: Collection[sp.Symbol]
+) -> InitialValue:
+    """The velocity itself where a multiple of it is given, r φ' = v. Raises ProblemError."""
+    if stated.factor == 1:
+        return stated
+    factor = stated.factor.xreplace({q: v.value for q, v in values.items() if v.factor == 1})
+    if missing := sorted(stated.factor.free_symbols & {*coordinates} - values.keys(), key=str):
+        message = f"the value of `{missing[0]}` is needed for that of `{stated.symbol}`"
+        help_ = f"add it: `{missing[0]}: ...`"
+        raise ProblemError(Diagnostic("velocity-multiple", message, stated.span, help=help_))
+    if factor == 0:
+        message = f"this does not give `{stated.symbol}`: its factor `{stated.factor}` is 0 then"
+        help_ = f"state `{stated.symbol}` itself"
+        raise ProblemError(Diagnostic("velocity-multiple", message, stated.span, help=help_))
+    return replace(stated, value=stated.value / factor)
 
 
 def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: Instant) -> InitialValue:
-    symbol = context.read_quietly(read_scalar, key.fragment, scope, [])
+    factor, symbol = _multiple_of_velocity(context.read_quietly(read_scalar, key.fragment, scope, []), scope)
     kind = kind_of_symbol(symbol, scope.slots, context.unknowns) if symbol.is_Symbol else None
     if kind not in (AllowedQuantity.COORDINATE, AllowedQuantity.VELOCITY):
         message = f"`{key.text}` is neither a coordinate nor a velocity"
@@ -140,10 +160,19 @@ def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: I
         raise ProblemError(Diagnostic("no-state", message, key.span, help=help_))
     measured = measured_in(node.fragment, scope) if isinstance(node, Scalar) else None
     if measured is not None and not measured.names:
-        return InitialValue(symbol, measured.number, key.span, measured)
+        return InitialValue(symbol, measured.number, key.span, measured, factor)
     what = f"the {at.value} of `{symbol}`"
     value = context.scalar(node, what, CONSTANT, _with_units(scalar_of(node, what).fragment, scope))
-    return InitialValue(symbol, value, key.span, measured)
+    return InitialValue(symbol, value, key.span, measured if factor == 1 else None, factor)
+
+
+def _multiple_of_velocity(e: sp.Expr, scope: Scope) -> tuple[sp.Expr, sp.Expr]:
+    """r and φ' of r φ'; 1 and the expression where it is no such product."""
+    for v in scope.slots.velocities:
+        factor = e.diff(v)
+        if e != v and factor != 0 and v not in factor.free_symbols and sp.expand(e - factor * v) == 0:
+            return factor, v
+    return sp.S.One, e
 
 
 def read_questions(node: Node | None, context: LoadContext, scope: Scope) -> tuple[Question, ...]:
@@ -361,6 +390,11 @@ def _in_si(e: sp.Expr) -> sp.Expr:
     return e.xreplace(units)
 
 
+def _has_units(e: sp.Expr) -> bool:
+    """Whether a number has a unit with a dimension, so that the number alone does not show it."""
+    return any(any(dimension) for dimension in _units_in(e).values())
+
+
 def _units_in(e: sp.Expr) -> dict[sp.Symbol, Dimension]:
     return {u: unit.dimension for u in e.atoms(UnitSymbol) if (unit := unit_of(u.name)) is not None}
 
@@ -410,8 +444,11 @@ class _Reader:
     def value(self, stated: InitialValue) -> InitialValue:
         """An initial value."""
         what = f"the value of `{stated.symbol}`"
-        value = self._compared(stated.symbol, stated.value, stated.measured, stated.span, what)
-        return replace(stated, value=_in_si(value))
+        is_multiple = stated.factor != 1 and stated.measured is not None
+        left = stated.factor * stated.symbol if is_multiple else stated.symbol
+        value = self._compared(left, stated.value, stated.measured, stated.span, what)
+        kept = replace(stated, value=_in_si(value), hides_units=is_multiple or _has_units(value))
+        return replace(kept, measured=None) if is_multiple else kept
 
     def question(self, asked: Question) -> Question:
         """The conditions of a question, and the terms of its quantity."""
@@ -420,7 +457,8 @@ class _Reader:
 
     def _condition(self, stated: Condition) -> Condition:
         value = self._compared(stated.lhs, stated.rhs, stated.measured, stated.span, "a side of this equation")
-        return replace(stated, lhs=_in_si(stated.lhs), rhs=_in_si(value))
+        hidden = _has_units(stated.lhs) or _has_units(value)
+        return replace(stated, lhs=_in_si(stated.lhs), rhs=_in_si(value), hides_units=hidden)
 
     def _compared(self, left: sp.Expr, right: sp.Expr, measured: Measured | None, span: Span, what: str) -> sp.Expr:
         """The right side, in the reading that fits the left."""

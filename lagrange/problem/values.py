@@ -175,7 +175,7 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
     }
     if wrong[assume]:
         message = f"the value {fragment.text} contradicts the assumption that the parameter is {IN_WORDS[assume]}"
-        help_ = "change the value, or say `assume: real`"
+        help_ = f"change the value, or say `assume: {'nonnegative' if number == 0 else 'real'}`"
         raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
     if isinstance(symbol, Bounded) and (number < symbol.low or number > symbol.high):
         message = f"the value {fragment.text} is not in the range of the parameter"

@@ -125,7 +125,8 @@ class Values:
 
     def _is_angle(self, expression: sp.Expr) -> bool:
         """Whether it is a sum of coordinates that are angles, or of their velocities, with numbers before them."""
-        terms = (term.as_coeff_Mul()[1] for term in sp.Add.make_args(expression))
+        inside = expression.args[0] if isinstance(expression, sp.Abs) else expression
+        terms = (term.as_coeff_Mul()[1] for term in sp.Add.make_args(inside))
         return all(s.is_Symbol and base(s) in self.angles for s in terms)
 
 

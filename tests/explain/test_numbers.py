@@ -253,3 +253,31 @@ def test_what_has_no_formula_stands_as_a_number_alone(problem: Callable[[str], P
     page = terminal.text(told.derivation, told.notation, 100)
     assert page.count("t ≈ 0.5616 s") == 2  # at the head and in its step; 2.6220576 √(0.9/19.62) = 0.56158
     assert "t = 0.56" not in page
+
+
+def test_a_rate_of_mass_stays_in_kilograms_a_second() -> None:
+    rocket = """title: Rocket
+axes: {j: up}
+parameters: {m_0: 1200 kg, q: 15 kg/s, u: 2400 m/s, c: 3 N s/m}
+coordinates: [y]
+particles: {rocket: {mass: m_0 - q*t, position: y*j, leaves: {relative: -u*j}}}
+forces: {drag: {on: rocket, vector: "-c*y'*j"}}
+"""
+    explained = report(read_problem(Source("rocket.yaml", rocket)))
+    page = terminal.text(explained.derivation, explained.notation, 100)
+    assert "q = 15 kg/s" in page
+    assert "c = 3 N s/m" in page
+
+
+def test_or_between_positions_comes_after_their_numbers() -> None:
+    text = """title: Two cords to one point
+parameters: {W: {value: 10 N}, a: {value: 3 m}, b: {value: 5 m}}
+coordinates: [x, y]
+particles: {P: {position: x*i + y*j}}
+constraints: {left: (x + a)^2 + y^2 = b^2, right: (x - a)^2 + y^2 = b^2}
+forces: {weight: {on: P, vector: -W*j}}
+find: equilibrium
+"""
+    head = page(reported(text)).split("1  The system")[0]
+    assert "or, that is" not in head
+    assert "that is y = 4 m, or" in head or "that is y = −4 m, or" in head, head

@@ -107,6 +107,11 @@ def test_plain_text_is_left_as_it_is() -> None:
     assert equations(whole) == (whole,)
 
 
+def test_sums_of_whole_numbers_stand_beside_the_mathematics() -> None:
+    assert found("It is $a = b$. Degrees of freedom: 6 - 1 = 5.", ".txt") == ["a = b"]
+    assert found("It is $a$ = 0.", ".txt") == ["It is $a$ = 0"]
+
+
 def found(text: str, ending: str) -> list[str]:
     source = Source(f"answer{ending}", text)
     fragments = equations_in_file(source, ending)

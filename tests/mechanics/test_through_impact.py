@@ -147,3 +147,45 @@ def test_what_cannot_vanish_or_would_need_an_imaginary_position_is_not_a_place()
     assert not [*vanishings(J * (a + l) / l, [])]
     assert [*vanishings(J * (2 * h - 3 * R) / R, [sp.sqrt(2 * h * R - h**2)])]
     assert not [*vanishings(J * (2 * h - 5 * R) / R, [sp.sqrt(2 * h * R - h**2)])]
+
+
+PERCUSSION = """
+title: Rod that is struck
+axes: {i: right, j: up}
+parameters: [m, l, J, b]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, inertia: m*l^2/12, position: x*i + y*j, angle: theta}}
+constraints:
+  along: {equation: x = l/2*sin(theta), reaction: H}
+  up: {equation: y = -l/2*cos(theta), reaction: V}
+gravity: -9.81*j
+impact:
+  before: {x: 0, y: -l/2, theta: 0, theta': 0, x': 0, y': 0}
+  impulses: {blow: {on: rod, vector: J*i, at: -b*j}}
+find: impact
+ask:
+  sweet: {quantity: b, when: H = 0}
+  half: {quantity: b, when: H = -J/2}
+  swing: {quantity: "theta'", when: t = 0}
+"""
+
+
+def test_a_question_for_a_parameter_about_reactions_alone_is_about_their_impulses() -> None:
+    """Momentum about the hinge, J b = m l²/3 ω, and of the centre, J + H = m ω l/2."""
+    problem = read_problem(Source("rod.yaml", PERCUSSION))
+    solution = solve(problem)
+    assert [a.question.name for a in solution.asked] == ["sweet", "half", "swing"]
+    m, l, J, b = (p.symbol for p in problem.parameters)
+    values = [a.branches[0].values[0] for a in solution.asked]
+    assert [sp.simplify(v - e) for v, e in zip(values, (2 * l / 3, l / 3, 3 * J * b / (m * l**2)), strict=True)] == [
+        0
+    ] * 3
+    alone = solve(read_problem(Source("rod.yaml", PERCUSSION[: PERCUSSION.index("  half")])))
+    assert [a.branches[0].values for a in alone.asked] == [(2 * l / 3,)]
+
+
+def test_a_parameter_that_no_impulse_determines_is_asked_for_after_the_impact() -> None:
+    text = PERCUSSION[: PERCUSSION.index("  sweet")] + "  none: {quantity: m, when: V = 0}\n"
+    solution = solve(read_problem(Source("rod.yaml", text)))
+    assert solution.after is not None
+    assert not solution.asked[0].answered

@@ -22,7 +22,7 @@ from lagrange.pictures.systems import system_in_file
 from tests.support.drawings import figures, lines_of
 
 FIXED = ("ex02-fixed-surface", "ex08-displacements-on-a-surface", "ex12-smooth-surface", "ex15-rough-surface")
-VIRTUAL, POSSIBLE = VectorSymbol("delta(r_P)"), VectorSymbol("d(r_P)")
+GRADIENT, VIRTUAL, POSSIBLE = (VectorSymbol(f"{d}") for d in ("nabla(f)", "delta(r_P)", "d(r_P)"))
 MOVING = ("ex09-moving-surface", "ex13-moving-surface")
 
 
@@ -33,8 +33,9 @@ def written(scene: Scene) -> set[sp.Expr | str]:
 @pytest.mark.parametrize("name", FIXED)
 def test_a_fixed_surface_has_its_normal_and_a_virtual_displacement(name: str) -> None:
     [scene, *_] = figures(name)
-    assert {UnitVector("n"), VIRTUAL} <= written(scene)
+    assert {GRADIENT, VIRTUAL} <= written(scene)
     assert POSSIBLE not in written(scene)
+    assert len({line.shade for line in lines_of(scene, StrokeKind.FACE)}) == 1, "a border of shades is a staircase"
     assert len(lines_of(scene, StrokeKind.FACE)) > 100
 
 
@@ -42,7 +43,7 @@ def test_a_fixed_surface_has_its_normal_and_a_virtual_displacement(name: str) ->
 def test_on_a_moving_surface_a_possible_displacement_has_another_part(name: str) -> None:
     [scene, *_] = figures(name)
     carrying = sp.Symbol("u", real=True) * differential(t)
-    assert {UnitVector("n"), VIRTUAL, POSSIBLE, carrying} <= written(scene)
+    assert {GRADIENT, VIRTUAL, POSSIBLE, carrying} <= written(scene)
     virtual, possible = (line.points for line in lines_of(scene, StrokeKind.FORCE))
     [carried] = [line.points for line in lines_of(scene, StrokeKind.AXIS) if line.points[0] == virtual[0]]
     total = [virtual[1][n] + carried[1][n] - virtual[0][n] for n in (0, 1)]
@@ -61,7 +62,7 @@ def test_friction_is_against_the_velocity() -> None:
 
 def test_a_wire_of_any_form_has_its_normal_too() -> None:
     [scene, body] = figures("bead-on-any-wire")
-    assert {UnitVector("n"), VectorSymbol("delta(r_bead)")} <= written(scene)
+    assert {GRADIENT, VectorSymbol("delta(r_bead)")} <= written(scene)
     assert {"R", "F"} <= {getattr(w, "name", str(w))[0] for w in written(body)}  # the reaction, and all that is applied
 
 

@@ -197,3 +197,41 @@ def test_where_a_number_with_a_unit_belongs(problem: Callable[[str], Problem]) -
         problem(START_QUESTION_UNITS.replace("mass: m", "mass: 2 kg"))
     [found] = error.value.diagnostics
     assert (found.code, "parameters: {a: {value: 2 kg}}" in found.help) == ("unknown-symbol", True)
+
+
+POLAR = """
+title: Orbit
+parameters: {m: {unit: kg}, k: {unit: N m^2}, a: 7000 km, v: 9 km/s}
+coordinates: {r: {unit: m}, phi: {unit: rad}}
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+"""
+
+
+@pytest.mark.parametrize("given", ["v", "9 km/s", "9*km/s"])
+def test_a_multiple_of_a_velocity_gives_the_velocity(problem: Callable[[str], Problem], given: str) -> None:
+    read = problem(POLAR + f"initial: {{r*phi': {given}, r: a, r': 0, phi: 0}}\n")
+    [spin] = [v for v in read.initial if v.symbol.name == "phi'"]
+    numbers = {p.symbol: p.value for p in read.parameters if p.value is not None}
+    assert float(spin.value.xreplace(numbers)) == pytest.approx(9e3 / 7e6)
+    assert spin.measured is None
+    assert spin.hides_units == (given != "v")
+
+
+@pytest.mark.parametrize(
+    ("initial", "code", "words"),
+    [
+        ("{r*phi': v, r': 0}", "velocity-multiple", "the value of `r` is needed"),
+        ("{r*phi': v, r: 0}", "velocity-multiple", "is 0 then"),
+        ("{r*phi': 9 km, r: a}", "unit-mismatch", "wrong dimension"),
+        ("{r*phi': v, phi': v/a, r: a}", "declared-twice", "given twice"),
+        ("{r + phi': v, r: a}", "no-state", "neither a coordinate nor a velocity"),
+    ],
+)
+def test_multiples_of_velocities_that_give_none(
+    problem: Callable[[str], Problem], initial: str, code: str, words: str
+) -> None:
+    with pytest.raises(ProblemError) as caught:
+        problem(POLAR + f"initial: {initial}\n")
+    assert caught.value.diagnostics[0].code == code
+    assert words in caught.value.diagnostics[0].message

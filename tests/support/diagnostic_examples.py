@@ -198,6 +198,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-substitution": ("Say how the old coordinates follow from the new one.", problem(
         PARTICLE + "generalized_coordinates: {c: {coordinates: [theta]}}")),
     "no-state": ("The state at t = 0 is given by coordinates and velocities.", problem("initial: {m: 2}")),
+    "velocity-multiple": ("A multiple of a velocity, `r*phi'`, gives the velocity where its factor is known and not 0.",
+        problem(PARTICLE + "initial: {y: 0, x*y': g}")),
     "contradictory-state": ("The state just before an impact satisfies the constraints of the file, and its position the new ones too.",
         problem(PARTICLE + ROD + "impact: {before: {x: l, y: l}, impulses: {blow: {on: P, vector: m*i}}}")),
     "contradictory-impact": ("An impact needs an approach, impulses that push, and velocities after it that agree.",

@@ -52,8 +52,8 @@ from lagrange.algebra.closed_forms.solution_sets import (
     denominators,
     determined,
     merged_branches,
+    plain_sides,
     resolved,
-    sides,
     split_at_divisors,
     verified,
     with_divisors,
@@ -216,7 +216,7 @@ class _BranchSearch:
             if pieces is not None:
                 for piece, special in pieces:
                     rest = (*state.equations[:n], *state.equations[n + 1 :])
-                    relation = () if not special else (Relation(*sides(self.letters.write(piece))),)
+                    relation = () if not special else (Relation(*plain_sides(self.letters.write(piece))),)
                     yield from self.branches(
                         replace(
                             state,
@@ -326,7 +326,7 @@ class _BranchSearch:
         pieces = irreducible_factors(e) or []
         # Only if exactly one factor can vanish is there one relation between the parameters to state.
         able = [p for p in pieces if p.is_Add and sign_of(p) is None]
-        return Relation(*sides(self.letters.write(able[0]))) if len(able) == 1 else None
+        return Relation(*plain_sides(self.letters.write(able[0]))) if len(able) == 1 else None
 
     def _pieces(self, e: sp.Expr, state: _State) -> list[tuple[sp.Expr, bool]] | None:
         """The factors of an equation that may vanish, if there are several, or if something can be divided out."""

@@ -40,6 +40,34 @@ def reading_length(e: sp.Expr) -> int:
     return count_operations(e) + INNER_FRACTION * len(inner)
 
 
+def by_stated_root(e: sp.Expr, power: sp.Expr, value: sp.Expr) -> sp.Expr:
+    """∛2 ∛a l^(2/3)/2 as ½ l cos θ where cos³ θ = 2a/l is stated and this is shorter; `power` is cos³ θ, `value` 2a/l.
+
+    An odd power of a positive value has one real root; of cos² θ the sign would be open.
+    """
+    base, exponent = power.as_base_exp()
+    has_root = any(not p.exp.is_Integer for p in (e if exponent != 1 else value).atoms(sp.Pow))
+    if not (has_root and value.is_positive and exponent.is_Integer and exponent % 2 == 1) or e.has(base):
+        return e
+    if count_operations(e) > LONGEST_REWRITTEN:
+        return e
+    root = sp.expand_power_base(value ** (1 / exponent))
+    terms = [_by_root(term, base, root, int(exponent)) for term in sp.Add.make_args(sp.expand(e))]
+    if any(term is None for term in terms):
+        return e
+    whole = sp.Add(*(term for term in terms if term is not None))
+    return min((e, shortest_form(whole), shortest_form(sp.factor_terms(whole))), key=reading_length)
+
+
+def _by_root(term: sp.Expr, base: sp.Expr, root: sp.Expr, most: int) -> sp.Expr | None:
+    """A product with a power of `base` for that of its root with which no other roots are left; None without one."""
+    for n in sorted(range(-most, most + 1), key=abs):
+        rest = sp.expand_power_base(term * sp.expand_power_base(root**-n))
+        if all(p.exp.is_Integer for p in rest.atoms(sp.Pow)):
+            return rest * base**n
+    return None
+
+
 def in_sines(e: sp.Expr) -> sp.Expr:
     """The expression with tan and cot as the quotients that they are."""
     return e.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))

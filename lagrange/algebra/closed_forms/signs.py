@@ -113,9 +113,9 @@ def _of_more_than_known(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     for n, p in enumerate(known):
         if p.is_Add and {*f.args} & {*p.args}:
             rest = f - p
-            if all(term.is_positive for term in sp.Add.make_args(rest)):
+            if all(term.is_nonnegative for term in sp.Add.make_args(rest)):
                 return 1 if n % 2 == 0 else None
-            if all(term.is_negative for term in sp.Add.make_args(rest)):
+            if all(term.is_nonpositive for term in sp.Add.make_args(rest)):
                 return -1 if n % 2 else None
     return None
 
@@ -273,10 +273,7 @@ def _as_angles(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
 
 
 def _without_common_power(e: sp.Expr) -> sp.Expr:
-    """a − b as a^p − b^p, of the same sign, where a and b have roots and that has none: b > c for ∛b > ∛c.
-
-    Square roots stay: what is known of a value that contains them is known of them as they are.
-    """
+    """a − b as a^p − b^p, of the same sign, where a and b have roots and that has none: b > c for ∛b > ∛c."""
     terms = e.args if e.is_Add and len(e.args) == 2 else ()
     signs = [sign_of(term) for term in terms]
     if sorted(s or 0 for s in signs) != [-1, 1]:
@@ -285,7 +282,7 @@ def _without_common_power(e: sp.Expr) -> sp.Expr:
     if not all(p.is_Rational and base.is_positive for factors in powers for base, p in factors):
         return e
     exponents = [p for factors in powers for base, p in factors if not base.is_number]
-    if all(p.q <= 2 for p in exponents):
+    if all(p.is_Integer for p in exponents):
         return e
     whole = lcm(*(int(p.q) for p in exponents))
     raised = sp.Rational(whole, gcd(*(int(p * whole) for p in exponents)))

@@ -8,16 +8,17 @@ branch. A branch contained in another one is dropped. How branches are found: `b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations
+from math import gcd
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, irreducible_factors, shortest_value
-from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
+from lagrange.algebra.closed_forms.shortest_form import by_stated_root, shortest_form
+from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero, sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
@@ -37,7 +38,7 @@ class Branch:
     left        equations that could not be solved, each zero
     occupied    whether these are known to have a real solution
     closing     whether conditions other than ≠ follow from the equations left: that a triangle closes
-    implied     conditions that hold besides and are not stated: they follow from the others, or from ranges
+    implied     conditions that hold besides and are not stated here: they follow from the others, ranges or contact
     """
 
     relations: tuple[Relation, ...]
@@ -58,7 +59,7 @@ class Branch:
     @property
     def equations(self) -> tuple[Relation, ...]:
         """The relations, and what could not be solved."""
-        return (*self.relations, *(Relation(e, sp.S.Zero) for e in self.left))
+        return (*self.relations, *(_by_tangents(e, self.left) or Relation(e, sp.S.Zero) for e in self.left))
 
 
 @record
@@ -94,6 +95,28 @@ class SolutionSet:
         return value
 
 
+def _by_tangents(e: sp.Expr, left: Sequence[sp.Expr]) -> Relation | None:
+    """tan α = 3 tan β for sin α cos β − 3 cos α sin β = 0, if another equation excludes cos α = cos β = 0."""
+    angles = sorted({w.args[0] for w in e.atoms(sp.sin, sp.cos)}, key=str)
+    if len(angles) != 2 or not all(angle.is_Symbol for angle in angles):
+        return None
+    alpha, beta = angles
+    whole = sp.expand(e)
+    rates = [whole.coeff(sp.sin(u)).coeff(sp.cos(v)) for u, v in ((alpha, beta), (beta, alpha))]
+    products = sp.sin(alpha) * sp.cos(beta), sp.sin(beta) * sp.cos(alpha)
+    is_bilinear = sp.expand(whole - rates[0] * products[0] - rates[1] * products[1]) == 0
+    if not is_bilinear or any(r.has(alpha, beta) or sign_of(r) not in (1, -1) for r in rates):
+        return None
+    upright = {sp.cos(alpha): sp.S.Zero, sp.cos(beta): sp.S.Zero}
+    others = (sp.expand(other).xreplace(upright) for other in left if other != e)
+    if not any(not o.has(alpha, beta) and sign_of(o) in (1, -1) for o in others):
+        return None
+    one, other = sp.factor(-rates[1] / rates[0]), sp.factor(-rates[0] / rates[1])
+    if sp.fraction(one)[1] == 1 or sp.fraction(other)[1] != 1:
+        return Relation(sp.tan(alpha), one * sp.tan(beta))
+    return Relation(sp.tan(beta), other * sp.tan(alpha))
+
+
 def agree(
     own: SolutionSet,
     p: Values,
@@ -107,6 +130,33 @@ def agree(
         return all(is_zero(own.at(p, f) - other.at(q, f).xreplace(dict(values or {}))) for f in functions)
     except (NotAlgebraicError, DivisionByZeroError):
         return False
+
+
+def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
+    """Expressions that are positive on a branch, or zero at its ends: by the conditions for its existence, and cos θ
+    where it is stated to be positive, cos³ θ = 2a/l.
+
+    strict  only those that cannot be zero
+    """
+    above = (">",) if strict else (">", "≥")
+    below = ("<",) if strict else ("<", "≤")
+    conditions = dict.fromkeys((*b.conditions, *b.implied))
+    known = [c.lhs - c.rhs for c in conditions if c.relation in above]
+    for c in conditions:
+        if c.relation in below:
+            within = c.lhs.args[0] if isinstance(c.lhs, sp.Abs) else None
+            known += [c.rhs - c.lhs] if within is None else [c.rhs - within, c.rhs + within]
+    known = [sp.factor(p) for p in known] + [*_positive_waves(b)]
+    numerators = (above for above, below in map(sp.fraction, known) if below != 1 and sign_of(below) == 1)
+    return [*known, *numerators]
+
+
+def _positive_waves(b: Branch) -> Iterator[sp.Expr]:
+    """The sines, cosines and tangents of which an odd power is stated to be positive."""
+    for r in b.relations:
+        base, power = r.lhs.as_base_exp()
+        if isinstance(base, CIRCULAR) and power.is_Integer and power % 2 == 1 and sign_of(r.rhs) == 1:
+            yield base
 
 
 def at_numbers(b: Branch, expression: sp.Expr, unknowns: Sequence[sp.Symbol]) -> sp.Expr | None:
@@ -131,6 +181,18 @@ def sides(e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     left = [t for t in terms if not t.could_extract_minus_sign()]
     right = [-t for t in terms if t.could_extract_minus_sign()]
     return sp.Add(*left), sp.Add(*right)
+
+
+def plain_sides(e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """a − b as a and b; h and √3 r for 3r² − h², the letters being positive."""
+    left, right = sides(e)
+    factors = [f.as_base_exp() for side in (left, right) for f in sp.Mul.make_args(side) if not f.is_number]
+    powers = [int(p) for base, p in factors if base.is_positive and p.is_Integer]
+    if not factors or len(powers) < len(factors) or gcd(*powers) == 1:
+        return left, right
+    root = sp.Rational(1, gcd(*powers))
+    left, right = left**root, right**root
+    return (right, left) if right.is_Symbol else (left, right)
 
 
 def denominators(equations: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
@@ -292,6 +354,7 @@ def with_known_values(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Sym
         return shortest_value(letters.write(resolved(e, known)))
 
     relations = [Relation(letters.write(r.lhs), value(r.rhs)) for r in sorted(b.relations, key=place)]
+    relations = [Relation(r.lhs, by_stated_roots(r.rhs, relations)) for r in relations]
     conditions = [
         SignCondition(
             shortest_form(letters.write(resolved(c.lhs, known))),
@@ -301,6 +364,14 @@ def with_known_values(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Sym
         for c in b.conditions
     ]
     return replace(b, relations=tuple(relations), conditions=_joined(conditions))
+
+
+def by_stated_roots(e: sp.Expr, relations: Sequence[Relation]) -> sp.Expr:
+    """A value by the sine, cosine or tangent of which a power is stated, instead of roots, where that is shorter."""
+    for r in relations:
+        if isinstance(r.lhs.as_base_exp()[0], CIRCULAR) and e != r.rhs:
+            e = by_stated_root(e, r.lhs, r.rhs)
+    return e
 
 
 def determined(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> list[Branch]:

@@ -150,7 +150,7 @@ def _explained(
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
 _A_NUMBER = re.compile(r"[\s\d.]+[\s$]*")
 _AND = re.compile(
-    r",|;|\band\b|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*and\s*\}|\\q?quad(?![A-Za-z])"
+    r",|;|\b(?:and|und)\b|(?<=\s)et(?=\s)|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*(?:and|und|et)\s*\}|\\q?quad(?![A-Za-z])"
 )
 _EXTREME = re.compile(r"\s*\\?(?P<which>min|max|Min|Max)\s*(?:\\left\s*)?(?P<open>[({\[]|\\\{)")
 
@@ -189,9 +189,8 @@ def _without_extremes(condition: Fragment) -> list[Fragment]:
         close = closings(condition.text).get(extreme.end() - 1)
         if close is None or close >= end:
             continue
-        inside = [
-            (extreme.end() + a, extreme.end() + b) for a, b in cuts(condition.text[extreme.end() : close], _COMMA)
-        ]
+        within = _CLOSES.sub("", condition.text[extreme.end() : close])
+        inside = [(extreme.end() + a, extreme.end() + b) for a, b in cuts(within, _COMMA)]
         drafts = []
         for a, b in inside:
             draft = Draft(condition)
@@ -202,6 +201,8 @@ def _without_extremes(condition: Fragment) -> list[Fragment]:
 
 
 _COMMA = re.compile(",")
+_CLOSES = re.compile(r"(?:\\right\s*)?\\?\Z")
+"""What belongs to a closing bracket of LaTeX, before it."""
 
 
 def _read(fragment: Fragment, reference: Reference) -> _Stated:

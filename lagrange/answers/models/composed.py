@@ -22,11 +22,20 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.answers.models.kinematics import is_accelerated_only, turning, turning_otherwise
+from lagrange.answers.models.kinematics import (
+    OF_A_PLACE,
+    TRANSMISSIONS,
+    added,
+    carried_round_by,
+    is_accelerated_only,
+    turning,
+    turning_otherwise,
+)
 from lagrange.answers.models.kinetic import length_left_out
-from lagrange.answers.models.mechanics import Inertia, Mechanics, Variation, called
+from lagrange.answers.models.mechanics import AppliedForceKind, Inertia, Mechanics, Variation, called
 from lagrange.core.symbols import partial, prime
 from lagrange.core.vectors import Components
+from lagrange.mechanics.constraints.displacements import virtual_displacements
 
 _Columns = tuple[Components, ...]
 
@@ -117,6 +126,56 @@ def _absolutely(name: str, added: Mapping[int, sp.Expr], m: Mechanics) -> str:
     )
 
 
+def turning_relative_to_carrier(m: Mechanics) -> Iterator[Variation]:
+    """The angle of a wheel that drives what is carried round, as if it were counted from what carries it."""
+    carried = dict.fromkeys(i for r in m.rotations for i in carried_round_by(r, m))
+    for r in m.rotations:
+        axes = [a for a in range(3) if any(column[a] != 0 for column in r.columns)]
+        own = [*carried_round_by(r, m)]
+        for i in carried if len(axes) == 1 else ():
+            rate = r.columns[i][axes[0]]
+            if i in own or (rate == 0 and not m.configuration.rows) or is_zero(rate - 1) is True:
+                continue
+            v = m.slots.velocities[i]
+            turned = replace(r, columns=added(r, i, axes[0], -1))
+            clause = f"with {v} subtracted from the angular velocity of {called(r.name)}, as if its angle were counted"
+            clause = f"{clause} from what turns at the rate {v}"
+            yield Variation(clause, f"the angular velocity of {called(r.name)}", turning(m, r, turned))
+
+
+def several_moved_at_another_rate(m: Mechanics) -> Iterator[Variation]:
+    """What a constraint moves is too fast or too slow by a factor, with all that it carries: a movable pulley."""
+    if not m.configuration.expressed:
+        return
+    for k, v in enumerate(m.slots.velocities):
+        alike: dict[Components, list[Inertia]] = {}
+        for p in m.particles:
+            if any(c != 0 for c in p.columns[k]):
+                alike.setdefault(p.columns[k], []).append(p)
+        for group in alike.values():
+            names = [p.name for p in group]
+            attached = [f for f in m.forces if {*names} & {*f.on} and f.kind is not AppliedForceKind.MOMENT]
+            plain = all(f.kind in OF_A_PLACE and len(f.on) == 1 for f in attached)
+            if len(group) < 2 or len(group) == len(m.inertias) or not plain:
+                continue
+            for factor, how in TRANSMISSIONS:
+                column = [tuple(factor * c for c in p.columns[k]) for p in group]
+                moved = {
+                    p: replace(p, columns=(*p.columns[:k], _three(iter(c)), *p.columns[k + 1 :]))
+                    for p, c in zip(group, column, strict=True)
+                }
+                pulled = {f: _scaled_at(f.shares, k, factor) for f in attached}
+                system = m.inertia(lambda i, moved=moved: moved.get(i, i))  # type: ignore[misc]
+                system = system.force(lambda f, s=pulled: replace(f, shares=s[f]) if f in s else f)  # type: ignore[misc]
+                listed = f"{', '.join(map(called, names[:-1]))} and {called(names[-1])}"
+                clause = f"for {listed} moving {how} as fast with {v} (a factor in a constraint)"
+                yield Variation(clause, f"how fast {listed} move with {v}", system)
+
+
+def _scaled_at(shares: Sequence[sp.Expr], k: int, factor: sp.Expr) -> tuple[sp.Expr, ...]:
+    return tuple(factor * s if i == k else s for i, s in enumerate(shares))
+
+
 def offset_left_out(m: Mechanics) -> Iterator[Variation]:
     """A centre beside the line that carries it is taken to lie on it, and the body turns accordingly."""
     if not m.rotations:
@@ -171,6 +230,38 @@ def _dot(a: Components, b: Components) -> sp.Expr:
 def _three(parts: Iterator[sp.Expr]) -> Components:
     a, b, c = parts
     return a, b, c
+
+
+def constraint_in_energy(m: Mechanics) -> Iterator[Variation]:
+    """A constraint on velocities is substituted into T before T is differentiated."""
+    configuration = m.configuration
+    rows = configuration.rows
+    moving = {*m.slots.coordinates}
+    turning = [r for r in rows if r.finite is None and any(a.free_symbols & moving for a in r.coefficients)]
+    if not turning or not configuration.constrained.is_pfaffian:
+        return  # with constant coefficients it may be put into T
+    elimination = virtual_displacements(configuration.constrained)
+    dependent = elimination.dependent
+    place = "the constraint: T must contain every velocity when it is differentiated"
+    time = len(m.slots.coordinates)
+
+    def reduced(i: Inertia) -> Inertia:
+        columns = [[*c] for c in i.columns]
+        for d, shares, drift in zip(dependent, elimination.solution, elimination.drift, strict=True):
+            for k, share in (*zip(elimination.independent, shares, strict=True), (time, drift)):
+                columns[k] = [a + share * b for a, b in zip(columns[k], i.columns[d], strict=True)]
+        new = [(sp.S.Zero,) * 3 if k in dependent else (c[0], c[1], c[2]) for k, c in enumerate(columns)]
+        return replace(i, columns=tuple(new))
+
+    projected = []
+    for f in m.forces:
+        shares = [*f.shares]
+        for d, own in zip(dependent, elimination.solution, strict=True):
+            for k, share in zip(elimination.independent, own, strict=True):
+                shares[k] += share * f.shares[d]
+        projected.append(replace(f, shares=tuple(shares)))
+    system = replace(m.inertia(reduced), forces=tuple(projected), kept=elimination.independent)
+    yield Variation("if the constraint is put into T before T is differentiated", place, system)
 
 
 def gradient_of_one_product_left_out(m: Mechanics) -> Iterator[Variation]:

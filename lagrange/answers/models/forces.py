@@ -311,6 +311,31 @@ def angle_from_elsewhere(m: Mechanics) -> Iterator[Variation]:
             yield Variation(clause, f"how {q} enters the potential energy", changed)
 
 
+def gravity_turned(m: Mechanics) -> Iterator[Variation]:
+    """An angle measured from the perpendicular direction, in the weight and in the normal force of its friction."""
+    weights = m.of_kind(AppliedForceKind.WEIGHT)
+    frictions = m.of_kind(AppliedForceKind.FRICTION)
+    if not frictions or not weights:
+        return
+    loads = [w.vector.fixed() for w in m.configuration.loads if w.name == "weight"]
+    pulls = {s for vector in loads for c in vector.components for s in c.free_symbols}
+    heavy = pulls - {s for i in m.inertias for w in i.weights for s in w.free_symbols}
+    for sign in (1, -1):
+        changed = {w: tuple(sign * _with_waves_exchanged(s) for s in w.shares) for w in weights}
+        for f in frictions:
+            changed[f] = tuple(_with_heavy_waves_exchanged(s, heavy) for s in f.shares)
+        if all(changed[f] == f.shares for f in frictions):
+            continue
+        system = m.force(lambda f, c=changed: replace(f, shares=c[f]) if f in c else f)  # type: ignore[misc]
+        clause = "with sine and cosine exchanged in the weight, in the normal force of the friction as well"
+        yield Variation(clause, "from which direction the angle is measured", system)
+
+
+def _with_heavy_waves_exchanged(share: sp.Expr, heavy: set[sp.Symbol]) -> sp.Expr:
+    terms = sp.Add.make_args(sp.expand(share))
+    return sp.Add(*(_with_waves_exchanged(x) if x.free_symbols & heavy else x for x in terms))
+
+
 def components_exchanged(m: Mechanics) -> Iterator[Variation]:
     """Sine and cosine exchanged where forces are resolved into components."""
     for kind in (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE):

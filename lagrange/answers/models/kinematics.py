@@ -338,10 +338,10 @@ def turning_otherwise(m: Mechanics) -> Iterator[Variation]:
     """The angle of a body that is carried round is counted from the line to its centre, or that rate is omitted."""
     for r, axis in _about_one_axis(m):
         place = f"the angular velocity of {called(r.name)}"
-        for i in _carried_round_by(r, m):
+        for i in carried_round_by(r, m):
             v = m.slots.velocities[i]
             for sign, words in ((1, f"{v} added to"), (-1, f"{v} subtracted from")):
-                turned = replace(r, columns=_added(r, i, axis, sign))
+                turned = replace(r, columns=added(r, i, axis, sign))
                 clause = f"with {words} the angular velocity of {called(r.name)}, as if its angle were counted from"
                 clause = f"{clause} the line to its centre"
                 if is_zero(turned.columns[i][axis]) is True:
@@ -361,7 +361,7 @@ def other_angular_velocity(m: Mechanics) -> Iterator[Variation]:
     yield from turning_otherwise(m)
     for r, axis in _about_one_axis(m):
         place = f"the angular velocity of {called(r.name)}"
-        for i in _carried_round_by(r, m):
+        for i in carried_round_by(r, m):
             unit = [[sp.S.Zero] * 3 for _ in r.columns]
             unit[i][axis] = sp.S.One
             turned = replace(r, columns=tuple((c[0], c[1], c[2]) for c in unit))
@@ -379,9 +379,9 @@ def moved_at_another_rate(m: Mechanics) -> Iterator[Variation]:
     rotating = {r.name for r in m.rotations}
     for p in m.particles if len(m.inertias) > 1 and m.configuration.expressed else ():
         attached = [f for f in m.forces if p.name in f.on]
-        if p.name in rotating or any(f.kind not in _OF_A_PLACE or f.on != (p.name,) for f in attached):
+        if p.name in rotating or any(f.kind not in OF_A_PLACE or f.on != (p.name,) for f in attached):
             continue
-        for factor, how in _TRANSMISSIONS:
+        for factor, how in TRANSMISSIONS:
             changed = m.inertia(lambda i, p=p, c=factor: replace(i, factor=i.factor * c**2) if i == p else i)  # type: ignore[misc]
             clause = f"for {called(p.name)} moving {how} as fast (a factor in a constraint)"
             yield Variation(clause, f"how fast {called(p.name)} moves", changed.scaled(attached, factor))
@@ -420,7 +420,7 @@ def _other_constraints(m: Mechanics) -> Iterator[Variation]:
             k, other, a, b, first, second = other, k, b, a, second, first
         letters = sorted((a / b).free_symbols, key=str)
         swaps = [(p, q) for p in letters for q in _parameters(m) if p != q and m.may_be_exchanged(p, q)]
-        ratios = [c * b for c, _ in _TRANSMISSIONS] + [b.xreplace({p: q}) for p, q in swaps]
+        ratios = [c * b for c, _ in TRANSMISSIONS] + [b.xreplace({p: q}) for p, q in swaps]
         for changed in dict.fromkeys(r for r in ratios if r != b):
             said = written(-changed / a * second, m.slots)
             coefficients = tuple(changed if i == other else x for i, x in enumerate(row.coefficients))
@@ -450,8 +450,8 @@ def is_accelerated_only(k: int, m: Mechanics) -> bool:
     )
 
 
-_OF_A_PLACE = (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE, AppliedForceKind.FRICTION)
-_TRANSMISSIONS = (
+OF_A_PLACE = (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE, AppliedForceKind.FRICTION)
+TRANSMISSIONS = (
     (sp.Rational(1, 2), "half"),
     (sp.Integer(2), "twice"),
     (sp.Rational(1, 4), "a quarter"),
@@ -464,7 +464,7 @@ def _replaced(column: Components, lost: sp.Symbol, taken: sp.Symbol) -> Componen
     return a, b, c
 
 
-def _carried_round_by(r: Inertia, m: Mechanics) -> Iterator[int]:
+def carried_round_by(r: Inertia, m: Mechanics) -> Iterator[int]:
     """The angles whose change moves the centre of a body."""
     for p in m.particles:
         if p.name == r.name:
@@ -474,7 +474,8 @@ def _carried_round_by(r: Inertia, m: Mechanics) -> Iterator[int]:
                     yield i
 
 
-def _added(r: Inertia, index: int, axis: int, sign: int) -> tuple[Components, ...]:
+def added(r: Inertia, index: int, axis: int, sign: int) -> tuple[Components, ...]:
+    """The columns of a rotation with a rate added to, or subtracted from, the angular velocity about an axis."""
     columns = [[*c] for c in r.columns]
     columns[index][axis] += sign
     return tuple((c[0], c[1], c[2]) for c in columns)

@@ -26,7 +26,6 @@ from lagrange.answers.models.mechanics import (
 )
 from lagrange.core.symbols import base, prime, t
 from lagrange.core.vectors import Components
-from lagrange.mechanics.constraints.displacements import virtual_displacements
 
 HALF = sp.Rational(1, 2)
 LINEAR = (
@@ -536,36 +535,6 @@ def _moved(m: Mechanics, rule: dict[sp.Basic, sp.Basic], words: str) -> Iterator
                 )
             )
             yield Variation(of, place, both)
-
-
-def constraint_in_energy(m: Mechanics) -> Iterator[Variation]:
-    """A constraint on velocities is substituted into T before T is differentiated."""
-    configuration = m.configuration
-    rows = configuration.rows
-    if not rows or not any(row.finite is None for row in rows) or not configuration.constrained.is_pfaffian:
-        return
-    elimination = virtual_displacements(configuration.constrained)
-    dependent = elimination.dependent
-    place = "the constraint: T must contain every velocity when it is differentiated"
-    time = len(m.slots.coordinates)
-
-    def reduced(i: Inertia) -> Inertia:
-        columns = [[*c] for c in i.columns]
-        for d, shares, drift in zip(dependent, elimination.solution, elimination.drift, strict=True):
-            for k, share in (*zip(elimination.independent, shares, strict=True), (time, drift)):
-                columns[k] = [a + share * b for a, b in zip(columns[k], i.columns[d], strict=True)]
-        new = [(sp.S.Zero,) * 3 if k in dependent else (c[0], c[1], c[2]) for k, c in enumerate(columns)]
-        return replace(i, columns=tuple(new))
-
-    projected = []
-    for f in m.forces:
-        shares = [*f.shares]
-        for d, own in zip(dependent, elimination.solution, strict=True):
-            for k, share in zip(elimination.independent, own, strict=True):
-                shares[k] += share * f.shares[d]
-        projected.append(replace(f, shares=tuple(shares)))
-    system = replace(m.inertia(reduced), forces=tuple(projected), kept=elimination.independent)
-    yield Variation("if the constraint is put into T before T is differentiated", place, system)
 
 
 def factor_two(m: Mechanics) -> Iterator[Variation]:

@@ -83,6 +83,7 @@ def with_another_arm(m: Mechanics) -> Iterator[Variation]:
     """The moment of a spring or damper with a constant arm, or with none, where its arm changes with an angle."""
     units = dict(m.units)
     lengths = sorted((p for p, unit in units.items() if unit in ("m", "cm", "mm", "ft")), key=str)
+    alike: dict[tuple[sp.Symbol, str], list[tuple[AppliedForceKind, str, str, tuple[sp.Expr, ...]]]] = {}
     for link in m.configuration.links:
         kind, name = _kind(link)
         for k, q in enumerate(m.slots.coordinates):
@@ -91,7 +92,18 @@ def with_another_arm(m: Mechanics) -> Iterator[Variation]:
                 continue
             for moment, clause in _moments(link, q, arm, lengths, m):
                 shares = tuple(moment if j == k else s for j, s in enumerate(_shares(link, m)))
+                together = alike.setdefault((q, clause), [])
+                if name not in (n for _, n, *_ in together):
+                    together.append((kind, name, link.name, shares))
                 yield Variation(f"for {name} {clause}", f"the lever arm of {name}", _with(m, kind, link.name, shares))
+
+    for (_, clause), together in alike.items():
+        if len(together) > 1:
+            system = m
+            for kind, _, own, shares in together:
+                system = _with(system, kind, own, shares)
+            names = " and ".join(name for _, name, *_ in together)
+            yield Variation(f"for {names} {clause}", f"the lever arm of {names}", system)
 
 
 def _moments(

@@ -481,7 +481,8 @@ def _of_ratio(ratio: sp.Expr, claim: sp.Expr, *, opposite: bool) -> Iterator[str
 
 def _of_exchanged_letters(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
     for p, q in combinations(sorted(right.free_symbols & claim.free_symbols - fixed, key=str), 2):
-        if _same(claim, right.xreplace({p: q, q: p})):
+        exchanged = right.xreplace({p: q, q: p})
+        if _same(claim, exchanged) and not _same(right, exchanged):  # sqrt(p^2 + q^2) is no other answer
             yield f"this is the answer with {p} and {q} exchanged"
 
 

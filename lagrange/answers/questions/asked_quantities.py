@@ -18,7 +18,7 @@ from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.limits import ROUNDING_DIGITS
-from lagrange.answers.questions.named_values import Judged, check_each, text_in_si
+from lagrange.answers.questions.named_values import WRONG_UNIT, Judged, check_each, text_in_si
 from lagrange.answers.readings import ForceMeaning, decimals_in, meanings_of_force
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, WORST_TO_BEST, AnswerVerdict, Verdict
@@ -79,7 +79,30 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
             return Verdict.WRONG, f"`{claim.quantity}` has another sign or meaning here than in the answer before"
         return verdict, remark
 
-    return check_each("ask", stated, judged)
+    return with_stated_forces(check_each("ask", stated, judged), [*stated.items()], solution)
+
+
+def with_stated_forces(
+    verdict: AnswerVerdict, stated: Sequence[tuple[str, Fragment]], solution: Solution
+) -> AnswerVerdict:
+    """The verdict on wrong values, of which some may follow from others; `stated`: question and text of each part."""
+    from lagrange.answers.results.consequences import with_consequences
+
+    wrong = [n for n, e in enumerate(verdict.equations) if e.verdict is Verdict.WRONG]
+    if len(wrong) < 2 or len(stated) != len(verdict.equations):
+        return verdict
+    reference, asked = reference_of_solution(solution), {a.question.name: a for a in solution.asked}
+    values = {}
+    for n, (name, fragment) in enumerate(stated):
+        if n not in wrong or name not in asked:
+            continue
+        try:
+            value = claims_of(fragment, asked[name], solution, reference)[0].value
+        except (ProblemError, DivisionByZeroError):
+            continue
+        if value is not None:
+            values[n] = asked[name], value
+    return with_consequences(verdict, values, reference)
 
 
 def claims_of(fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> list[AskedClaim]:
@@ -134,6 +157,14 @@ class AskedClaim:
             in_force = self.reaction.force / self.reaction.single.factor
             self.equation = self.equation.xreplace({self.reaction.multiplier: self._rewritten(in_force)})
 
+    @property
+    def value(self) -> sp.Expr | None:
+        """The value that is stated; None if it is an equation of another kind."""
+        stated = self.expression
+        if stated is None and self.equation is not None:
+            stated = self._stated_value(self.equation)
+        return None if stated is None else as_written(stated)
+
     def _rewritten(self, e: sp.Expr) -> sp.Expr:
         """An expression in the coordinates in which the question was answered."""
         view = next(v for v in self.solution.views if v.name == self.asked.choice)
@@ -144,7 +175,7 @@ class AskedClaim:
         if not self.asked.answered:
             return Verdict.UNDECIDED, _NOT_ANSWERED
         if not self.unit_fits:
-            return Verdict.WRONG, "its unit is not one of what is asked for"
+            return Verdict.WRONG, WRONG_UNIT
         claim = self.expression if self.expression is not None else self.equation
         assert claim is not None
         verdict, remark = self._judged(as_written(claim))
@@ -201,6 +232,7 @@ class AskedClaim:
         if value is not None:
             for of_forces in (explained_by_free_fall, explained_by_whole_weight):
                 yield of_forces(value, self.asked, self.candidates)
+            yield self._of_nothing(value)
         yield self._of_another_body(stated, of)
         impact = self.solution.impact
         yield explained_answer(self.asked, stated, of, None if impact is None else impact.kinetic[0])
@@ -212,6 +244,15 @@ class AskedClaim:
         ways = explained_balance, explained_by_first_acceleration, explained_by_lost_energy, explained_alone
         for of_motion in ways if value is not None else ():
             yield of_motion(value, self.asked, self.candidates)
+
+    def _of_nothing(self, value: sp.Expr) -> str:
+        """Where a force or an acceleration is stated to be zero: then any change that loses it would explain it."""
+        if value != 0:
+            return ""
+        if self.reaction is not None:
+            return "the force of the constraint is left out: it is not zero there"
+        moving = self.quantity.is_Symbol and self.quantity.name.endswith("''")
+        return "it is taken not to be accelerated there, and it is" if moving else ""
 
     def _of_a_factor(self, value: sp.Expr) -> str:
         """Where a multiple of the value, its square or its root would be right."""

@@ -32,6 +32,8 @@ from lagrange.answers.readings import GivenEquation, displaced_coordinates, with
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written
+from lagrange.answers.written.lines import in_pairs
+from lagrange.answers.written.reading import read_as_written
 from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.symbols import base, differential, prime, variation
@@ -131,6 +133,30 @@ def with_rate_as_omega(reference: Reference, cyclic: Sequence[sp.Symbol]) -> Ref
     rate = prime(cyclic[0])
     scope = replace(reference.scope, scalars={**reference.scope.scalars, **dict.fromkeys(names, rate)})
     return replace(reference, scope=scope, declared=reference.declared | names)
+
+
+_KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
+
+
+def is_kept(fragment: Fragment) -> bool:
+    """Whether a line says that something is constant, `theta = const`: no more than that the motion is steady."""
+    return _KEPT.search(fragment.text) is not None
+
+
+def definition_of_kept(fragment: Fragment) -> Fragment | None:
+    """`p = A` of the chain `p = A = const`."""
+    pairs = in_pairs(fragment) if is_kept(fragment) else []
+    return pairs[0].finished(latex=is_latex(fragment)) if len(pairs) > 1 else None
+
+
+def says_steady(fragment: Fragment, cyclic: Sequence[sp.Symbol], reference: Reference) -> bool:
+    """Whether a line says only that the motion is steady: theta' = 0, where theta is not cyclic, or phi'' = 0."""
+    reading = read_as_written(fragment, reference.scope)
+    if reading.error is not None or len(reading.components) != 1:
+        return False
+    slots = reference.scope.slots
+    still = {*slots.accelerations, *(prime(q) for q in slots.coordinates if q not in cyclic)}
+    return any(e in still for e in (reading.components[0], -reading.components[0]))
 
 
 def period_as_rate(fragment: Fragment, cyclic: Sequence[sp.Symbol], reference: Reference) -> Fragment:

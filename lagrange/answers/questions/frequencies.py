@@ -46,9 +46,7 @@ from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Answers
 
 _BEST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
-_NONE_KNOWN = (
-    "no characteristic equation for the frequencies is known in closed form, at an equilibrium or a steady motion"
-)
+_NONE_KNOWN = "no characteristic equation for the frequencies is known in closed form, about a rest or a steady motion"
 _NOT_ALL_KNOWN = "not right at any equilibrium with known linear equations, but not all equilibria have these"
 _SEVERAL = "no equilibrium has all of them"
 
@@ -128,6 +126,10 @@ class EquilibriumPoint:
         if sp.count_ops(right) > LONGEST_SQUARE or sign_of(right) in (-1, 0):
             return ""  # nothing oscillates there
         why = explained_value(sp.expand(as_written(claim) ** 2).xreplace(values), right.xreplace(values), set())
+        if why == "its sign is wrong":
+            from lagrange.answers.questions.linear_equations import position_of  # which imports this one
+
+            return f"that is the square of the frequency about {position_of(self)} with the opposite sign"
         return f"in omega^2, {why}" if why else ""
 
     def _of_one_root(self, claim: sp.Expr, values: Values) -> str:
@@ -271,9 +273,7 @@ def _explained(
         if len(alone) == len(claims) > 1:
             yield from filter(None, [_of_models(claims, places, reference)])
         yield from filter(None, (p.held_fast(alone, values) for p in places))
-        if (
-            len(alone) == 1 < sum(c != 0 for c in claims)
-        ):  # one term of one mode, rather than a change that spares others
+        if len(alone) == 1 < sum(c != 0 for c in claims):  # one term of one mode: a change spares no others
             factors = islice(explained_frequencies(alone), NUMBER_WITH_FACTORS)
             yield from (sentence for sentence, meant in factors if right(meant))
             yield from filter(None, (p.of_one_term(alone[0], values) for p in places))

@@ -27,7 +27,14 @@ import sympy as sp
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.answers.limits import MOST_IMPULSES
 from lagrange.answers.questions.asked_quantities import read_stated
-from lagrange.answers.questions.named_values import Judged, check_each, worst
+from lagrange.answers.questions.named_values import (
+    WRONG_UNIT,
+    Judged,
+    check_each,
+    dimensions_of_value,
+    in_si,
+    worst,
+)
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
@@ -67,6 +74,10 @@ def _judged_entry(
     """The verdict on one entry. Raises ProblemError, DivisionByZeroError."""
     values = [*_values(name, fragment, motion)]
     scope = replace(reference.scope, decimals="")
+    if values:
+        fragment, unit_fits = in_si(fragment, dimensions_of_value(values[0][0], reference), reference)
+        if not unit_fits:
+            return Verdict.WRONG, WRONG_UNIT
     expression, equation = read_stated(fragment, scope, name)
     if expression is None:
         assert equation is not None
@@ -95,7 +106,7 @@ def _judged_entry(
     why = explained_impact(
         name, claim, values[0][0], motion, problem, lambda e: motion.surface.is_zero(e.xreplace(values_))
     )
-    if not why:
+    if not why and not (reference.values and claim.is_number):  # a number alone is in SI units
         from lagrange.answers.results.meanings import wrong_dimension
 
         why = wrong_dimension(claim, reference.units, values[0][0])
@@ -208,7 +219,9 @@ _JUST_AFTER = re.compile(
     r"|(?P<dotted>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?[A-Za-z]{1,12})(?:_\w)?|[^\W\d_]\u0307|[ẋẏżẊẎŻṙṡ])\s*['′]"
 )
 """A velocity just after, with a sign: `\\dot\\theta^+ = ...`, `\\dot x' = ...`."""
-_LETTER_AFTER = re.compile(r"(?<![A-Za-z_\\])(?P<name>\\?(?:omega|Omega)|[wvuVωΩ])['′](?!['′])")
+_LETTER_AFTER = re.compile(
+    r"(?<![A-Za-z_\\])(?P<name>(?:\\?(?:omega|Omega)|[wvuVωΩ])(?:_\w{1,2}|_\{\w{1,2}\})?)['′](?!['′])"
+)
 """A letter for a velocity just after, ω'."""
 _OMEGA_AFTER = ("prime", "1", "2", "f", "after", "new")
 """The index of ω just after an impact, where ω is that before."""
@@ -220,7 +233,7 @@ def without_primes_after(answer: Sequence[Fragment], declared: Collection[str]) 
     bare = {
         n
         for n in found
-        if "".join(GREEK.get(c, c) for c in n.lstrip("\\")) not in declared
+        if re.sub(r"[{}]", "", "".join(GREEK.get(c, c) for c in n.lstrip("\\"))) not in declared
         and not any(re.search(rf"(?<![A-Za-z_\\]){re.escape(n)}(?![A-Za-z0-9_'′])", f.text) for f in answer)
     }
     made = []

@@ -14,8 +14,11 @@ import sympy as sp
 
 from lagrange.answers.questions.equilibrium_in_text import (
     at_stated_positions,
+    definition_of_kept,
+    is_kept,
     period_as_rate,
     positions_of,
+    says_steady,
     supports_of,
     with_rate_as_omega,
 )
@@ -33,6 +36,7 @@ from lagrange.answers.written.lines import condition_alone, conditions_of, in_pa
 from lagrange.answers.written.one_line import each_alternative, without_integrals
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.values import with_all_values
+from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions.edits import cut
 from lagrange.expressions.latex_layout import is_latex
@@ -47,8 +51,7 @@ _SECOND_VARIATION = re.compile(
     r"\s*\$?\s*(?:[VUEΠ](?:''|″|_\{?\w\w\}?\s)|d\s*(?:\^\s*2|²)\s*[VUEΠ]|\\frac\s*\{\s*d\s*\^\s*\{?2\}?\s*[VUE])"
 )
 """The second derivative of a potential energy, which is working."""
-_KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
-"""theta = const, which says no more than that the motion is steady."""
+_SMALL = re.compile(r"small|lineari[sz]|klein", re.IGNORECASE)
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
 _JUDGED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG)
 _MAY_BE_ENERGY = re.compile(r"[\s$&]*(?:T|K)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
@@ -148,10 +151,14 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
     if not solution.asked:
         return _only(verdict, solution)
     if verdict.verdict is Verdict.EQUIVALENT:
-        values = asked_in_text(answer, solution).verdict
-        found = values is not None and values.verdict in (Verdict.EQUIVALENT, Verdict.WRONG)
-        judged = _only(verdict, solution)
-        return replace(judged, others=(*judged.others, values)) if found and values is not None else judged
+        found = asked_in_text(answer, solution)
+        judged, values = _only(verdict, solution), found.verdict
+        if values is not None and values.verdict in (Verdict.EQUIVALENT, Verdict.WRONG):
+            return replace(judged, others=(*judged.others, _if_complete(values, found.missing)))
+        if values is not None or not found.missing:
+            return judged
+        unanswered = AnswerVerdict(Verdict.EQUIVALENT, name="ask")
+        return replace(judged, others=(*judged.others, _if_complete(unanswered, found.missing)))
     judged = _with_asked(
         answer,
         solution,
@@ -199,37 +206,33 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
     reference = reference_of_solution(solution)
     cyclic = next((v.steady.cyclic for v in solution.views if v.steady is not None), ())
-    if all(_KEPT.search(f.text) for f in answer):  # m r^2 phi' = const is an integral of every motion
+    if all(is_kept(f) for f in answer):  # m r^2 phi' = const is an integral of every motion
         return judge(answer)
-    answer = [_definition_of(f) or f for f in answer]  # of p in p = m r^2 phi' = const
-    answer = [period_as_rate(f, cyclic, reference) for f in answer if not _KEPT.search(f.text)]
+    whole = answer
+    answer = [definition_of_kept(f) or f for f in answer]  # of p in p = m r^2 phi' = const
+    answer = [period_as_rate(f, cyclic, reference) for f in answer if not is_kept(f)]
+    answer = [f for f in answer if not says_steady(f, cyclic, reference)] or answer
     working = understood(answer, with_rate_as_omega(reference, cyclic), moving=False)
     used = {
         s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols
     }
     if not working.judged or any(base(s) != s and prime(base(s)) != s for s in used):
-        return judge(answer)
+        return judge(whole)
     conditions = [v.steady.general for v in solution.views if v.steady is not None]
     try:
         verdict = check_steady_answers(alternatives_of(working.judged), conditions, reference)
     except ProblemError:
-        return judge(answer)
+        return judge(whole)
     if verdict.verdict in (Verdict.UNREADABLE, Verdict.TRIVIAL):
-        return judge(answer)
+        return judge(whole)
     if verdict.verdict is Verdict.WRONG:
-        first = judge(answer)
+        first = judge(whole)
         if first.verdict is not Verdict.WRONG:
             return first
         from lagrange.answers.questions.own_answers import explained_steady
 
         verdict = explained_steady(verdict, alternatives_of(working.judged), conditions, solution)
     return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
-
-
-def _definition_of(fragment: Fragment) -> Fragment | None:
-    """`p = A` of the chain `p = A = const`."""
-    pairs = in_pairs(fragment) if _KEPT.search(fragment.text) else []
-    return pairs[0].finished(latex=is_latex(fragment)) if len(pairs) > 1 else None
 
 
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
@@ -384,13 +387,36 @@ def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
 
 
 def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement | None:
-    """The verdict on what accompanies correct frequencies; None for the linearized equations, which are working."""
+    """The verdict on what accompanies frequencies; None for linearized equations that are right, which are working."""
+    from lagrange.answers.questions.linear_equations import check_linearized
     from lagrange.answers.written.working import understood
 
     working = understood(rest, reference_of_solution(solution))
-    if working.judged and len(working.approximate) == len(working.judged) and not working.unreadable:
-        return None
+    if working.judged and len(working.approximate) == len(working.judged):
+        return _linear_beside(working, solution)
+    if working.judged and 0 in working.approximate and not working.unreadable:
+        linear = check_linearized(rest, solution)
+        if linear is not None and linear.verdict is not Verdict.WRONG:
+            return None
+        if linear is not None and any(map(_SMALL.search, {f.whole.source.text for f in rest})):
+            return _only(linear, solution)
     return _with_positions(rest, solution, judge) if working.judged or working.unreadable else None
+
+
+def _linear_beside(working: Working, solution: Solution) -> Judgement | None:
+    """The verdict on linearized equations beside their frequencies; None where they are working that cannot be judged.
+
+    Lines that cannot be read are named, and do not sink them.
+    """
+    from lagrange.answers.questions.linear_equations import check_linearized
+
+    linear = check_linearized(working.judged, solution)
+    errors = (d for f in working.unreadable if f.reading.error for d in f.reading.error.diagnostics)
+    notes = tuple(d.as_note() for d in errors)
+    if linear is None or linear.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
+        return None if not notes else _only(AnswerVerdict(Verdict.EQUIVALENT, notes=notes), solution)
+    whole = Verdict.EQUIVALENT if linear.verdict is Verdict.INCOMPLETE else linear.verdict
+    return _only(replace(linear, verdict=whole, notes=(*linear.notes, *notes)), solution)
 
 
 def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:

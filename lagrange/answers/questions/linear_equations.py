@@ -199,14 +199,14 @@ def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
             continue
         letters = dict(zip(linearization.displacements, linearization.configuration.slots.coordinates, strict=True))
         in_letters = any(base(s) in letters for e in equations for s in e.free_symbols)
-        if not in_letters and len(working.approximate) < len(readings):
+        if not in_letters and 0 not in working.approximate:  # a mark before the first counts for all that follow
             continue
         slots = linearization.displacements if in_letters else linearization.configuration.slots.coordinates
         for place in _places(linearization):
             size = len(place.oscillations.free)
             if size > MOST_LINEARIZED:
                 continue
-            at = _position(place)
+            at = position_of(place)
             claims = [_coefficients(as_written(e).xreplace(dict(reference.values)), slots, place) for e in equations]
             if any(c is None for c in claims):
                 continue
@@ -262,7 +262,7 @@ def number_of_oscillating_places(solution: Solution) -> int | None:
     return max(numbers, default=None)
 
 
-def _position(place: EquilibriumPoint) -> str:
+def position_of(place: EquilibriumPoint) -> str:
     """Where the equilibrium is: `theta1 = 0, theta2 = 0`."""
     return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in place.branch.relations) or "the equilibrium"
 

@@ -47,6 +47,8 @@ from lagrange.values.dimensions import dimension, dimensions_of_units
 Judged = tuple[Verdict, str]
 """A verdict, with its diagnosis or remark."""
 
+WRONG_UNIT = "its unit is not one of what is asked for"
+
 _ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
 
 
@@ -82,9 +84,21 @@ _NUMBER = re.compile(r"[-+−]?[0-9]{1,12}\.[0-9]{1,12}")
 
 
 def text_in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
+    """A text whose last side is a number with a unit, with the number in SI, and whether the unit fits; see `in_si`."""
+    return in_si(fragment, _dimensions(asked, reference), reference)
+
+
+def dimensions_of_value(value: sp.Expr, reference: Reference) -> set[Dimension]:
+    """The dimension of a derived value; empty if the file has too few units for it."""
+    known = dict.fromkeys(reference.values, NO_DIMENSION) | dimensions_of_units(reference.units)
+    found = dimension(value, known)
+    return set() if found is None else {found}
+
+
+def in_si(fragment: Fragment, expected: Collection[Dimension], reference: Reference) -> tuple[Fragment, bool]:
     """A text whose last side is a number with a unit, with the number in SI; the text itself in all other cases.
 
-    Second, whether the unit has the dimension of what is asked for, as far as that is known.
+    Second, whether the unit has one of the dimensions that are expected, which may be none if they are not known.
     """
     if not reference.values:
         return fragment, True
@@ -96,7 +110,6 @@ def text_in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[
     unit = unit_of(parts[1]) if parts else None
     if parts is None or unit is None or unit.is_angle:
         return fragment, True
-    expected = _dimensions(asked, reference)
     fits = tuple(sp.Integer(n) for n in unit.dimension) in expected if expected else True
     own = not {*re.findall(r"[A-Za-z]+", parts[1])}.isdisjoint(reference.scope.scalars)
     if own and not (fits and expected) and not _TEXTS.search(text, start):

@@ -191,7 +191,22 @@ def compared_rest(
     if defined:
         scope = replace(reference.scope, scalars={**reference.scope.scalars, **defined})
         reference = replace(reference, scope=scope, declared=reference.declared | defined.keys())
-    return check_rest_answers(stated, rests, reference, solution)
+    verdict = check_rest_answers(stated, rests, reference, solution)
+    if verdict.verdict is not Verdict.UNREADABLE or len(stated) < 2:
+        return verdict
+    alone = [check_rest_answers([f], rests, reference, solution) for f in stated]
+    unread = [v for v in alone if v.verdict is Verdict.UNREADABLE]
+    read = [f for f, v in zip(stated, alone, strict=True) if v.verdict is not Verdict.UNREADABLE]
+    if not unread or not read:
+        return verdict
+    rest = check_rest_answers(read, rests, reference, solution)  # one line that cannot be read does not sink the others
+    stays = rest.verdict in (Verdict.EQUIVALENT, Verdict.WRONG, Verdict.UNDECIDED)
+    return replace(
+        rest,
+        verdict=rest.verdict if stays else Verdict.UNREADABLE,
+        equations=tuple(e for v in unread for e in v.equations),
+        unreadable=tuple(d for v in unread for d in v.unreadable),
+    )
 
 
 def asks_for_rest_alone(solution: Solution) -> bool:

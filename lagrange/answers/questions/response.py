@@ -24,7 +24,14 @@ import sympy as sp
 
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.answers.questions.named_values import Judged, check_each, worst
+from lagrange.answers.questions.named_values import (
+    WRONG_UNIT,
+    Judged,
+    check_each,
+    dimensions_of_value,
+    in_si,
+    worst,
+)
 from lagrange.answers.readings import GivenEquation, decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
@@ -76,6 +83,9 @@ def _judged(
         raise ProblemError(
             Diagnostic("unknown-name", message, fragment.whole, help=suggestion(name, list(squares), "coordinates"))
         )
+    fragment, unit_fits = in_si(fragment, dimensions_of_value(sp.sqrt(squares[name]), reference), reference)
+    if not unit_fits:
+        return Verdict.WRONG, WRONG_UNIT
     scalars = {n: e for n, e in reference.scope.scalars.items() if n not in reference.letters}
     stated = statement(fragment, replace(reference.scope, scalars=scalars, decimals=""), name=name)
     # x = F/k, A = F/k, |x| = F/k: what stands on the left is the amplitude
@@ -104,6 +114,8 @@ def judged_amplitude(claim: sp.Expr, name: str, responses: Sequence[Response], r
     why = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
     if reason := next(filter(None, why), ""):
         return Verdict.WRONG, reason
+    if reference.values and not as_written(claim).free_symbols:  # a number alone is in SI units
+        return Verdict.WRONG, ""
     from lagrange.answers.results.meanings import wrong_dimension
 
     return Verdict.WRONG, wrong_dimension(as_written(claim), reference.units, amplitude)
@@ -166,7 +178,11 @@ def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
         verdict = check_response_in_text(working, responses, reference)
         if verdict is not None and not verdict.unreadable:
             break
-    return None if verdict is None else replace(verdict, name="response")
+    if verdict is None:
+        return None
+    written = {without_hats(f).text.strip(): f.text.strip() for f in answer}
+    parts = tuple(replace(e, text=written.get(e.text, e.text)) for e in verdict.equations)
+    return replace(verdict, name="response", equations=parts)
 
 
 _TRIAL = re.compile(
@@ -224,10 +240,19 @@ def check_response_in_text(
             solved.append(line)
     unknown = _undamped(working, coordinates, responses)
     rows: list[sp.Expr] = []
-    for f in working.judged:
+    approximate: list[Fragment] = []
+    for n, f in enumerate(working.judged):
+        if n in working.approximate and _moves(f, reference):
+            approximate.append(f)
+            continue
         if not isinstance(f, GivenEquation) or len(f.reading.components) != 1:
             return None
         [e] = f.reading.components
+        if e.free_symbols <= {*reference.parameters.values()}:  # between the amplitudes that the answer states
+            holds = is_zero(e.xreplace(dict(reference.values)))
+            verdict = Verdict.UNDECIDED if holds is None else Verdict.EQUIVALENT if holds else Verdict.WRONG
+            parts.append(EquationVerdict.of(f.reading.text, verdict, ""))
+            continue
         if e.free_symbols & unknown.keys():
             holds = is_zero(
                 e.xreplace({s: value for s, (_, value) in unknown.items()}).xreplace(dict(reference.values))
@@ -267,7 +292,19 @@ def check_response_in_text(
     why = f"the amplitude of {', '.join(missing)} is missing" if missing else ""
     defined = [f"`{p.text}`" for p in parts if p.text in amplitudes]
     notes = tuple(n for n in working.notes if not any(f"defines {name}," in n.message for name in defined))
+    notes += tuple(
+        Diagnostic(
+            "not-judged", f"`{f.text.strip()}` is marked as an approximation, and is not judged", f.whole
+        ).as_note()
+        for f in approximate
+    )
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=notes, diagnosis=why)
+
+
+def _moves(fragment: Fragment, reference: Reference) -> bool:
+    """Whether accelerations occur in an equation."""
+    components = fragment.reading.components if isinstance(fragment, GivenEquation) else ()
+    return any(not e.free_symbols.isdisjoint(reference.scope.slots.accelerations) for e in components)
 
 
 def _with_causes(

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -162,6 +162,9 @@ def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated],
             if f.reading.error
             else {}
         )
+        if (relation := _from_initial_values(f, names, solution)) is not None:
+            constraints.append((f.reading.text, (relation,), ()))
+            continue
         constant = sp.Symbol("arbitrary constant", real=True)
         if len(names) == 1:
             scope = solution.problem.scope
@@ -176,6 +179,27 @@ def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated],
                     continue
         rest.append(f)
     return constraints, rest
+
+
+def _from_initial_values(f: GivenEquation, names: Collection[str], solution: Solution) -> sp.Expr | None:
+    """`x - x0 = R*(phi - phi0)` as x - R*phi = const, where it holds at the start, x = x0 and phi = phi0."""
+    scope = solution.problem.scope
+    coordinates = {q.name: q for q in scope.slots.coordinates}
+    starts = {n: coordinates.get(n.removeprefix("var").removesuffix("0").rstrip("_")) for n in names if n[-1] == "0"}
+    if not starts or len(starts) < len(names) or None in starts.values():
+        return None
+    symbols = {n: sp.Symbol(n, real=True) for n in starts}
+    reading = read_as_written(Fragment.of(f.reading.text), replace(scope, scalars={**scope.scalars, **symbols}))
+    if reading.error or len(reading.components) != 1 or any(base(s) != s for s in symbols_in(reading.components[0])):
+        return None
+    [e] = reading.components
+    fixed = {*symbols.values()}
+    if sp.expand(e.xreplace({symbols[n]: q for n, q in starts.items()})) != 0:
+        return None
+    # nothing but a sum of both, so that what is left is the same constant in every motion
+    if any(symbols_in(e.diff(s)) & ({*coordinates.values()} | fixed) for s in fixed):
+        return None
+    return sp.Add(e.xreplace(dict.fromkeys(fixed, sp.S.Zero)), -CONSTANT)
 
 
 def _up_to_a_constant(components: Sequence[sp.Expr], solution: Solution) -> tuple[sp.Expr, ...]:
@@ -212,7 +236,13 @@ def _changed(components: Sequence[sp.Expr], solution: Solution) -> str:
     from lagrange.answers.results.constraints import explained_constraint
 
     moving = [q for v in solution.views for q in v.configuration.slots.coordinates]
-    return explained_constraint(components, moving, lambda e: _judged((e,), solution)[0] is Verdict.EQUIVALENT)
+    configuration = solution.own.configuration
+    rows = [row.velocity_form(configuration.slots) for row in configuration.rows if row.nonlinear is None]
+
+    def holds(e: sp.Expr) -> bool:
+        return _judged((e,), solution)[0] is Verdict.EQUIVALENT or bool(_up_to_a_constant((e,), solution))
+
+    return explained_constraint(components, moving, rows, holds)
 
 
 def _conditions(e: sp.Expr, configuration: Configuration) -> Sequence[sp.Expr]:
@@ -332,7 +362,11 @@ def is_about_freedom(fragment: Fragment) -> bool:
     """Whether an equation is about numbers of degrees of freedom, of coordinates or of constraints alone."""
     beside = f"{fragment.text} {getattr(fragment, 'beside', '')}"
     turned = f"{getattr(fragment, 'beside', '')} {fragment.text}"
-    return (_freedom(beside) is not None or _freedom(turned) is not None) and _MOVING.search(fragment.text) is None
+    counts = _freedom(beside) is not None or _freedom(turned) is not None
+    return counts and _MOVING.search(fragment.text) is None and _NUMBER_AFTER.search(fragment.text) is not None
+
+
+_NUMBER_AFTER = re.compile(r"=[\s$&({]*[-+]?[0-9]")
 
 
 def _freedom(text: str) -> int | None:

@@ -32,7 +32,7 @@ import sympy as sp
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.limits import LONGEST_RUN_OF_LETTERS
-from lagrange.answers.questions.asked_quantities import check_asked, claims_of
+from lagrange.answers.questions.asked_quantities import check_asked, claims_of, with_stated_forces
 from lagrange.answers.questions.named_values import NOT_EQUAL, at_a_value, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -60,6 +60,16 @@ _NAMED = re.compile(
     r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40}(?: \w{1,20}){0,5})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$",
     re.MULTILINE,
 )
+_SENTENCE = re.compile(
+    r"^[ \t]*(?P<before>(?:(?:the|die|der|das|la|le|el)[ \t]+)?)(?P<name>[^\W\d]\w{0,40}(?:[ ]\w{1,20}){0,4}?)[ \t]+"
+    r"(?P<colon>is|ist|beträgt|est|vaut|es)"
+    r"(?=[ \t]+\S)(?P<rest>[^\n]*?)(?P<end>\.?[ \t]*)$",
+    re.MULTILINE | re.IGNORECASE,
+)
+"""`The range is v^2/g.`"""
+_NAME_IN_TEXT = re.compile(
+    r"(?:[A-Za-z]_\{?\s*)?\\(?:text|textrm|textbf|textit|mathrm|mbox)\s*\{\s*(?P<name>[^{}=$]{1,60}?)\s*:?\s*\}(?:\s*\})?(?P<sign>\s*:?\s*&?\s*=(?!=))"
+)
 _BETWEEN = re.compile(r"[,;]|\b(?:and|or)\b|\\(?:text|mathrm|mbox)\{\s*(?:and|or)?\s*\}|\\q?quad(?![A-Za-z])|\n")
 _COMMAND = re.compile(r"\\(?:text|mathrm|mbox)\{[^{}]*\}|\\[A-Za-z]+")
 _WORD = re.compile(r"[^\W\d_]{2,}")
@@ -70,12 +80,27 @@ _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "
 
 def with_sign_after_names(text: str, names: Collection[str]) -> str:
     """`height: v^2/(2*g)` with `=` for the colon, for each name of a question; every place stays where it is."""
+    text = _NAME_IN_TEXT.sub(lambda m: _without_text(m, names), text)
+    for m in [*_SENTENCE.finditer(text)]:
+        name = "_".join(m["name"].split(" "))
+        plain = not has_sign_of_equality(m["rest"]) and not is_inequality(Fragment.of(m["rest"]))
+        if plain and name in names and is_expressions(m["rest"]):
+            made = f"{' ' * len(m['before'])}{name}{'='.rjust(m.end('colon') - m.end('name'))}{m['rest']}"
+            text = text[: m.start("before")] + made + " " * len(m["end"]) + text[m.end() :]
     for m in [*_NAMED.finditer(text)]:
         name = "_".join(m["name"].split(" "))  # of the same length
         if name in names and not has_sign_of_equality(m["rest"]) and not is_inequality(Fragment.of(m["rest"])):
             place = m.start("colon")
             text = f"{text[: m.start('name')]}{name}{text[m.end('name') : place]}={text[place + 1 :]}"
     return text
+
+
+def _without_text(match: re.Match[str], names: Collection[str]) -> str:
+    r"""`\text{height} &= ...` as height &= ..., for the name of a question."""
+    written = "_".join(match["name"].replace("\\_", "_").split())
+    name = next((n for n in (written, written.lower()) if n in names), "")
+    made = f"{name}{match['sign'].replace(':', ' ')}" if name else match[0]
+    return made.rjust(len(match[0]))
 
 
 def is_expressions(text: str) -> bool:
@@ -284,6 +309,9 @@ def asked_in_text(
             continue
         elif judged and len(judged) == len(named):
             name, verdict = _explained(fragment, judged, solution)
+            if _is_right_where_stated(fragment, verdict.diagnosis):
+                parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.EQUIVALENT, "", (_ELSEWHERE,)))
+                continue
             answered |= {*named} if len(named) == 1 else set()
             parts.append(_part(fragment, name, verdict))
         elif open_ := [(name, v) for name, v in compared if v.verdict is Verdict.UNDECIDED and name in named]:
@@ -296,7 +324,25 @@ def asked_in_text(
     verdicts = {p.verdict for p in parts}
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
-    return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+    asked = AnswerVerdict(whole, tuple(parts), name="ask")
+    if whole is Verdict.WRONG:
+        asked = with_stated_forces(asked, [(p.part, Fragment.of(p.text)) for p in parts], solution)
+    return AskedInText(asked, tuple(rest), missing)
+
+
+_ELSEWHERE = "it is right for the place that is stated, at which it is not asked for"
+_PLACE_OF_VALUE = re.compile(r"this is the value where (?P<name>\w+) = (?P<value>[\w/*]+)\Z")
+
+
+def _is_right_where_stated(fragment: Fragment, diagnosis: str) -> bool:
+    """Whether the line of a value says that it is for the place at which it is right: `Top (θ = π): N = ...`."""
+    place = _PLACE_OF_VALUE.search(diagnosis)
+    if place is None:
+        return False
+    text, at = fragment.whole.source.text, fragment.span(0, len(fragment.text)).start
+    before = "".join(f" {GREEK[c]} " if c in GREEK else c for c in text[text.rfind("\n", 0, at) + 1 : at])
+    stated = rf"\(\s*(?:at\s+)?\\?{re.escape(place['name'])}\s*=\s*\\?{re.escape(place['value'])}\s*\)\s*:"
+    return re.search(stated, before) is not None
 
 
 _POTENTIAL = re.compile(r"[\s$&]*(?:\\mathcal\s*\{?\s*)?(?P<name>[VU])\s*\}?\s*(?:\([^()=]{0,20}\))?\s*&?=(?!=)")

@@ -270,6 +270,7 @@ def _without_cotangents(e: sp.Expr) -> sp.Expr:
     return e.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x)).replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
 
 
+@lru_cache(maxsize=512)
 def _cleared(e: sp.Expr) -> sp.Expr:
     """A slack without denominators, tangents by sines and cosines, multiplied out."""
     plain = e.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
@@ -372,9 +373,10 @@ def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution)
     separate = _with_own_coefficients(solution.problem)
     if separate is None or not stated:
         return ""
-    solved = _by_contacts(Identical(solution), not stated[0].equation)
+    rest = _needs_conditions(stated, solution)
+    solved = _by_contacts(Identical(solution), rest)
     common = separate[1]
-    limits = [] if solved is None else list(_limits(solved, rest=not stated[0].equation))
+    limits = [] if solved is None else list(_limits(solved, rest=rest))
     for friction, own, mu in common:
         others = {o: m for _, o, m in common if o != own}
         for value, clause in ((-mu, "acts the other way"), (sp.S.Zero, "")):
@@ -395,10 +397,11 @@ def explained_by_arms(stated: Sequence[StatedCondition], solution: Solution) -> 
     empty if not."""
     rough = {f.on: f for f in reversed(solution.problem.forces) if isinstance(f, Friction) and f.at is not None}
     moved = _movable(solution.problem)
-    solved = _by_arms(Identical(solution), not stated[0].equation) if moved and stated else None
+    rest = bool(stated) and _needs_conditions(stated, solution)
+    solved = _by_arms(Identical(solution), rest) if moved and stated else None
     if solved is None:
         return ""
-    limits = list(_limits(solved, rest=not stated[0].equation))
+    limits = list(_limits(solved, rest=rest))
     names = ", ".join(f"`{f.name}`" for f in moved)
     contacts = ", ".join(dict.fromkeys(f"`{rough[f.on].name}`" for f in moved))
     these = "these are the limits" if len(stated) > 1 else "this is the limit"
@@ -407,6 +410,11 @@ def explained_by_arms(stated: Sequence[StatedCondition], solution: Solution) -> 
         if all(any(is_limit(c, s.slack) for c in changed) for s in stated):
             return f"{these} for {names} acting {where} the friction {contacts} acts"
     return ""
+
+
+def _needs_conditions(stated: Sequence[StatedCondition], solution: Solution) -> bool:
+    """Whether all conditions of rest have to be found again, because the problem does not ask for their limits."""
+    return not stated[0].equation and Find.IMPENDING not in solution.problem.find
 
 
 _SHIFT = sp.Symbol("shift_of_forces", real=True)

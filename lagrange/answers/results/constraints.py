@@ -16,7 +16,7 @@ equation counts once for each independent component.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import combinations
+from itertools import chain, combinations
 
 import sympy as sp
 
@@ -29,13 +29,19 @@ from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 
 
 def explained_constraint(
-    components: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], holds: Callable[[sp.Expr], bool]
+    components: Sequence[sp.Expr],
+    coordinates: Sequence[sp.Symbol],
+    rows: Sequence[sp.Expr],
+    holds: Callable[[sp.Expr], bool],
 ) -> str:
-    """What is wrong with an equation, in a sentence; empty if no change makes it right."""
+    """What is wrong with an equation, in a sentence; empty if no change makes it right.
+
+    rows  the constraints of the problem, affine in the velocities
+    """
     if len(components) != 1:
         return ""
     (e,) = components
-    for n, (sentence, changed) in enumerate(_changes(e, coordinates)):
+    for n, (sentence, changed) in enumerate(chain(_changes(e, coordinates), _missing(e, coordinates, rows))):
         if n >= MOST_CHANGES:
             break
         try:
@@ -68,6 +74,22 @@ def _changes(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> Iterator[tuple[str
     for term in terms if len(terms) > 1 else ():
         yield f"one change makes it right: {text(2 * term)} in place of {text(term)}", e + term
         yield f"one change makes it right: {text(term / 2)} in place of {text(term)}", e - term / 2
+
+
+def _missing(e: sp.Expr, coordinates: Sequence[sp.Symbol], rows: Sequence[sp.Expr]) -> Iterator[tuple[str, sp.Expr]]:
+    """The equation with a term of a constraint with a coordinate that it does not have."""
+    kinds = [k for k in (prime, differential, variation) if any(k(q) in e.free_symbols for q in coordinates)]
+    if len(kinds) != 1:
+        return
+    [kind] = kinds
+    written = {prime(q): kind(q) for q in coordinates}
+    for row in rows:
+        terms = [term.xreplace(written) for term in sp.Add.make_args(sp.expand(row))]
+        for term in terms if len(terms) > 2 else ():
+            if any(kind(q) in term.free_symbols and kind(q) not in e.free_symbols for q in coordinates):
+                shown = text(-term if term.could_extract_minus_sign() else term)
+                for sign in (1, -1):
+                    yield f"one change makes it right: the term {shown} is missing", e + sign * term
 
 
 # Class and degrees of freedom

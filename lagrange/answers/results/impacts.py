@@ -11,10 +11,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.limits import MOST_STRUCK, RANDOM_ZERO_DIGITS
 from lagrange.answers.models.frequencies import RandomMatrices
-from lagrange.answers.models.mechanics import Mechanics, mechanics_of
+from lagrange.answers.models.mechanics import Inertia, Mechanics, mechanics_of
 from lagrange.answers.models.questions import explained_value
 from lagrange.answers.models.table import MODELS
 from lagrange.answers.results.meanings import other_meanings
@@ -59,9 +59,14 @@ def explained_statement(
     if len(used) != 1:
         return ""
     slope = e.diff(used[0])
-    if slope == 0 or slope.has(used[0]):
+    claim = sp.together(-e.xreplace({used[0]: sp.S.Zero}) / slope) if slope != 0 else sp.nan
+    if slope.has(used[0]):  # a square of a velocity
+        bend = e.diff(used[0], 2)
+        if bend.has(used[0]) or sp.expand(slope - bend * used[0]) != 0:
+            return ""
+        claim = sp.sqrt(sp.together(-2 * e.xreplace({used[0]: sp.S.Zero}) / bend))
+    if claim.has(sp.nan, sp.zoo, sp.I):
         return ""
-    claim = sp.together(-e.xreplace({used[0]: sp.S.Zero}) / slope)
     name, value = unknowns[used[0]]
     return explained_impact(
         name, claim, value, motion, problem, lambda e: motion.surface.is_zero(e.xreplace(dict(values)))
@@ -97,10 +102,17 @@ def _reasons(
             and not vanishes(before - after)
         ):
             yield "the kinetic energy is taken to be conserved, but some of it is lost in this impact"
+        if value != 0 and vanishes(claim - 2 * value + velocities[plain]) and _is_inelastic(motion):
+            yield "this is the velocity after an elastic impact"
         if (why := _of_another_inertia(plain, claim, motion, problem)) is not None:
             yield f"this is the velocity {why}"
     if value != 0 and vanishes(claim + value):
         yield "its sign is wrong"
+    if plain not in velocities and name != "energy_lost":
+        for p in mechanics_of(motion.configuration, problem).particles:
+            for component in _momentum(p, motion):
+                if component != 0 and any(vanishes(claim - sign * component) for sign in (1, -1)):
+                    yield f"this is the whole momentum of `{p.name}` just before, as if its mass centre came to rest"
     if why := explained_value(claim, value, set()):
         yield why
     for meaning in other_meanings(value.free_symbols, claim.free_symbols):
@@ -109,6 +121,22 @@ def _reasons(
     for p in sorted(value.free_symbols - claim.free_symbols, key=str):
         if vanishes(claim - value.xreplace({p: sp.S.One})):
             yield f"this is the result for {p} = 1"
+
+
+def _momentum(p: Inertia, motion: ImpulsiveMotion) -> Iterator[sp.Expr]:
+    """The components of the momentum of a particle or mass centre just before the impact."""
+    for a in range(3):
+        rates = (column[a] * v for column, v in zip(p.columns[:-1], motion.before, strict=True))
+        yield motion.at(p.weights[a] * sp.Add(*rates))
+
+
+def _is_inelastic(motion: ImpulsiveMotion) -> bool:
+    """Whether the constraints hold just after, and no blow is given beside them."""
+    still = dict(zip(motion.slots.velocities, motion.before, strict=True))
+    after = dict(zip(motion.slots.velocities, motion.velocities, strict=True))
+    forms = [row.velocity_form(motion.slots) for row in motion.rows]
+    struck = (motion.at(e.xreplace(still)) for e in motion.balance)
+    return all(is_zero(motion.at(f.xreplace(after))) is True for f in forms) and all(is_zero(b) is True for b in struck)
 
 
 def _of_another_inertia(name: str, claim: sp.Expr, motion: ImpulsiveMotion, problem: Problem) -> str | None:
@@ -158,11 +186,22 @@ def _about_another_point(
     Where one degree of freedom is left, u' = p/I with I = 2 T/u'²: the momentum about the hinge may be the right one,
     and I that about the mass centre.
     """
-    if len(motion.equations) != 1 or any(abs(a) > _SMALL for d in draws for a in d.drift):
+    if any(abs(a) > _SMALL for d in draws for a in d.drift):
         return None
     turning = replace(m, inertias=tuple(i for i in m.inertias if i.turning))
-    if all(_close(c * d.energy(turning), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
-        return "for the moment of inertia about the mass centre, but here the body turns about another point"
+    by_itself = len({i.name for i in m.inertias}) == 1 and any(number in i.moving for i in turning.inertias)
+    if len(motion.equations) != 1 and not by_itself:
+        return None
+    points = [(sp.S.One, "the mass centre")]
+    points += [(sp.Integer(4), f"an end of `{i.name}`") for i in turning.inertias if by_itself and _is_uniform(i, m)]
+    for factor, point in points:
+        if all(
+            _close(c * factor * d.energy(turning), d.after[number] * d.energy(m))
+            for d, c in zip(draws, claims, strict=True)
+        ):
+            return f"for the moment of inertia about {point}, but here the body turns about another point"
+    if len(motion.equations) != 1:
+        return None
     for name in dict.fromkeys(i.name for i in m.inertias):
         others = replace(m, inertias=tuple(i for i in m.inertias if i.name != name))
         if all(_close(c * d.energy(others), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
@@ -173,6 +212,16 @@ def _about_another_point(
         ):
             return f"from the right momentum just before, and an inertia {clause}"
     return None
+
+
+def _is_uniform(r: Inertia, m: Mechanics) -> bool:
+    """Whether a body is a rod with the moment of inertia m l²/3 about its middle, where 2 l is its length."""
+    ends, places = dict(m.ends).get(r.name, ()), dict(m.places)
+    centre = next((p for p in m.particles if p.name == r.name), None)
+    if len(ends) != 2 or centre is None or r.name not in places:
+        return False
+    half = [(end - places[r.name].map(m.configuration.rewritten)).fixed() for end in ends]
+    return all(is_zero(3 * r.weights[2] - centre.weights[0] * h.dot(h)) is True for h in half)
 
 
 class _Draw:

@@ -19,27 +19,21 @@ a direction. A stated equation, solved for a letter and put in, leaves a residue
 so that force g with c S_gk instead of S_gk, another arm, explains the equation of q_k. That is said where c is short:
 a number, a ratio of lengths, a sine. Where the residue is the contribution of a force to another equation, that force
 was taken to act there as well.
-
-Wrong reactions of a system at rest, stated as functions of the position: which letter is wrong, which term missing.
-
-R(q) is compared with the right reaction at the position of equilibrium, where the two differ by R_0 − R(q_0). A letter
-p with the opposite sign makes the difference R(q; −p) − R(q; p), and a forgotten term p q/l makes itself.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import combinations, product
-from typing import TYPE_CHECKING
+from itertools import combinations
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import has_root
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
-from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import (
     MAX_RESTING_MODELS,
@@ -48,6 +42,7 @@ from lagrange.answers.limits import (
     MOST_RESTING_FORCES,
     MOST_RESTING_ROWS,
     RATIO_OPERATIONS,
+    SHORTEST_RATIO,
 )
 from lagrange.answers.models.forces import name_of
 from lagrange.answers.models.mechanics import (
@@ -63,9 +58,6 @@ from lagrange.answers.models.table import MODELS, Model
 from lagrange.core.symbols import Slots, Unspecified, partial, t
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.problem.model import Problem
-
-if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest
 
 Substitution = Mapping[sp.Basic, sp.Basic]
 _LIKELIER = ("gravity reversed", "carried weight left out", "force left out")
@@ -301,20 +293,17 @@ class WrongEquilibria:
         from lagrange.answers.results.virtual_work import of_differential
 
         resting = self.resting
-        if not self.tried:
-            return ""
 
         def balanced(rows: Sequence[Sequence[sp.Expr]]) -> bool:
             return all(rule is not None and resting.balanced(resting.own, rule, rows) for rule in self.rules)
 
-        return of_differential(balanced, resting.equilibrium, problem)
+        return of_differential(balanced, resting.equilibrium, problem) if self.tried else ""
 
-    def of_one_force(self, problem: Problem) -> str:
+    def of_one_force(self, problem: Problem, *, changing: bool = False) -> str:
         """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not
-        found. A length with a root in it counts as a letter."""
-
+        found. A length with a root in it counts as a letter. `changing`: only by a ratio of lengths that change."""
         resting = self.resting
-        if len(self.wrong) != 1 or not resting.small:
+        if len(self.wrong) != 1 or not resting.small or (changing and not resting.rows):
             return ""
         try:
             m = mechanics_of(resting.configuration, problem)
@@ -330,7 +319,10 @@ class WrongEquilibria:
                 return ""
             m = m.force(lambda f: replace(f, shares=tuple(s.xreplace(letters) for s in f.shares)))
             written = {length: sp.sqrt(sp.Add(*bases))}  # there is one, or none
-            return contributions(m, rule, resting.values, resting.rows, written)
+            said = contributions(m, rule, resting.values, resting.rows, written)
+            turned = {a for w in _waves([*shares, *(a for row in resting.rows for a in row)]) for a in w.free_symbols}
+            lengths = {q.name for q in m.slots.coordinates if q not in turned}
+            return said if not changing or lengths & {*re.findall(r"\w+", said)} else ""
         except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
             return ""
 
@@ -476,7 +468,9 @@ def _changes(
 
     strengths = [_strength(shares, m) for shares in own]
     letters_of_forces = {s for s in strengths if s is not None}
-    known = {s for shares in (*own, letters.values()) for e in shares for s in e.free_symbols}
+    known = {
+        s for es in (*own, letters.values(), m.configuration.finite_constraints) for e in es for s in e.free_symbols
+    }
     for f, share, shares in zip(forces, put, own, strict=True):
         if share == 0:
             continue
@@ -485,7 +479,7 @@ def _changes(
             yield 0, f"without {name_of(f)}"
         elif (
             c == 1
-            or not _is_plain(c, m)
+            or not _is_plain(c, m, tied=tied)
             or not letters_of_forces.isdisjoint(c.free_symbols)
             or not c.free_symbols <= known
         ):
@@ -533,9 +527,9 @@ def _reduced(e: sp.Expr) -> sp.Expr:
     return sp.factor(textbook_form(above) / textbook_form(below))
 
 
-def _is_plain(c: sp.Expr, m: Mechanics) -> bool:
+def _is_plain(c: sp.Expr, m: Mechanics, *, tied: bool) -> bool:
     """Whether a ratio of contributions is a plausible slip: made of numbers, letters, sums of two letters and functions
-    of angles.
+    of angles; `tied`: a short ratio may also have a coordinate that is a length, as l/x.
     """
     above, below = sp.fraction(c)
     factors = [f.as_base_exp()[0] for f in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)) if not f.is_Rational]
@@ -547,7 +541,8 @@ def _is_plain(c: sp.Expr, m: Mechanics) -> bool:
         for f in factors
     )
     straight = {*m.slots.coordinates} - {a for w in c.atoms(sp.sin, sp.cos, sp.tan) for a in w.free_symbols}
-    if not straight.isdisjoint(c.xreplace(dict.fromkeys(c.atoms(Unspecified), sp.S.One)).free_symbols):
+    bare = c.xreplace(dict.fromkeys(c.atoms(Unspecified), sp.S.One))
+    if not straight.isdisjoint(bare.free_symbols) and not (tied and sp.count_ops(c) <= SHORTEST_RATIO):
         return False
     number = c.as_coeff_Mul()[0]
     small = number.is_Rational and max(abs(number.p), number.q) <= MOST_RESTING_FACTORS
@@ -561,38 +556,3 @@ def _is_term(e: sp.Expr) -> bool:
 
 def _unsigned(e: sp.Expr) -> sp.Expr:
     return -e if e.could_extract_minus_sign() else e
-
-
-# Resting reactions
-
-
-def of_one_letter(
-    value: sp.Expr,
-    off: sp.Expr,
-    letters: Sequence[sp.Expr],
-    at_rest: ReactionsAtRest,
-    coordinates: Sequence[sp.Symbol],
-) -> str:
-    """Which letter has a wrong sign in a stated value, or which term is missing, in a sentence; empty if not found.
-
-    off  by how much it is too small at the equilibrium
-    """
-    if value.free_symbols.isdisjoint(coordinates):
-        return ""
-    for said, more in _changes_of_reaction(value, letters, coordinates):
-        [difference] = next(iter(at_rest.points.values_at([more])))
-        if is_zero(difference - off) is True:
-            return said
-    return ""
-
-
-def _changes_of_reaction(
-    value: sp.Expr, letters: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]
-) -> Iterator[tuple[str, sp.Expr]]:
-    used = [p for p in letters if p in value.free_symbols]
-    for p in used:
-        yield f"this is the reaction for {p} with the opposite sign", value.xreplace({p: -p}) - value
-    for p, q in product((p for p in letters if p.is_Symbol and p not in used), coordinates):
-        yield f"the term {p}*{q} is missing", p * q
-        for below in used:
-            yield f"the term {p}*{q}/{below} is missing", p * q / below

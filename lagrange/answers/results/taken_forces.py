@@ -43,7 +43,7 @@ def with_taken_forces(equation: sp.Expr, reference: Reference) -> str:
         try:
             states = c.models.states([equation])
             for said, values in _taken(c):
-                if all(_follows(equation, values, at) for at in states):
+                if all(follows_with_forces(equation, values, at) for at in states):
                     return said
         except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
             continue
@@ -84,7 +84,7 @@ def abs_of(value: sp.Expr) -> sp.Expr:
     return -value if value.could_extract_minus_sign() else value
 
 
-def _follows(equation: sp.Expr, values: dict[sp.Symbol, sp.Expr], at: ModelState) -> bool:
+def follows_with_forces(equation: sp.Expr, values: dict[sp.Symbol, sp.Expr], at: ModelState) -> bool:
     """Whether an equation follows from the E_k with these forces, at one state, and needs them."""
     row = at.row(equation)
     if row is None:

@@ -85,8 +85,11 @@ _UPPER = re.compile(r"\(?\s*(?:with\s+)?(?:the\s+)?upper\s+sign(?:\s+(?:for|if|w
 _LOWER = re.compile(
     r"[\s,;$]*(?:and\s+)?(?:the\s+)?lower\s+(?:sign\s+)?(?:(?:for|if|when|where)\s+|:\s*|otherwise)?\$?", re.I
 )
-_LABEL = re.compile(r"\A[^\W\d_]{3,20}(?:\s[^\W\d_]{1,20}){0,4}:(?!=)\s*")
-"""`rising:` before an equation."""
+_LABEL = re.compile(
+    r"\A[^\W\d_]{3,20}(?:\s[^\W\d_]{1,20}){0,9}:(?!=)\s*"
+    r"|\A[^\W\d_]{3,20}(?:\s[^\W\d_]{2,20}){1,9},?\s(?:so|thus|hence|and|then|also|donc)(?:\sthat)?,?\s"
+)
+"""`rising:` before an equation, `the belt drags it forward, so`."""
 _EQUALS = re.compile(r"(?<![<>!:=])==?(?![=>])")
 
 

@@ -44,7 +44,7 @@ _SENTENCE = (
 )
 _BETWEEN = (
     r"(?<=[\w)\]²³'])[,.]?\s+(?:(?:this|which|that|it|we|so|and|thus|then)\s+){0,3}"
-    r"(?:becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
+    r"(?:ergibt|liefert|donne|becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
     r"(?:\s+that)?[,:]?\s+(?=[^=]*=)"
 )
 """Words between two equations."""
@@ -67,7 +67,7 @@ _NAMED = re.compile(
     r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>+|>>>)?\s*(?:[A-Za-z][A-Za-z0-9_]{0,20}\s*(?::=(?=[^=]*=)|=(?=[^=]*==[^=]*\Z)))?"
 )
 _WORD_ARRAY = re.compile(r"\s*(?:[{〖├]\s*)?■\s*(?=\()")
-_ABOUT_PARTS = re.compile(r"\s*[^\W\d_](?:[^=:*/^\\'()\[\]0-9]|\([^()=*/^']{1,40}\)){3,60}:(?=\s)")
+_ABOUT_PARTS = re.compile(r"\s*[^\W\d_](?:[^=:*/^\\'()\[\]0-9<>≤≥;]|\([^()=*/^']{1,40}\)){3,60}:(?=\s)")
 _SPECIAL_CASE = re.compile(
     r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z",
     re.IGNORECASE,
@@ -78,9 +78,9 @@ _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _SO = re.compile(r"(?<![<>!])=[^=]{1,80}?\s(so|thus)\s(?=[^=]*=)")
 _HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
 _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}(?![^\W\d_])[\s,.:]{0,3}){1,8}\Z")  # a run of letters is one word
-_NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
+_NAMES_NEXT = re.compile(rf"\s*(?:[A-Za-z{''.join(GREEK)}]|{'|'.join({*GREEK.values()})})(?:_?\w{{1,8}})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(
-    r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)"
+    r"[\s,;.](?:where|with|wobei|mit|and|und|et)\s(?=[^=]*=)|,?\si\.\s?e\.,?\s(?=[^=]*=)"
     r"|[,;.]\s+(?:(?:and|so|then|thus|hence|therefore|i\.\s?e\.|which|that|this|it|gives|giving|yields|is|also|damit|also|folgt)[\s,:]+){1,4}(?=[^=]*=)"
     r"|(?<=[\w)}\]])\.\s+(?=[A-Z][^\W\d_]+[\s,:])(?=[^=]*=)",
     re.IGNORECASE,
@@ -97,7 +97,7 @@ _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 _NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _TAIL = re.compile(
     r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+(?:etc|usw)\b\.?|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
 _RATE_MARKS = "='\u0307\u0308¨˙"
@@ -235,7 +235,20 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
         if not whole and first:
             first += _after_words(text[start + first : start + last], 0, last - first)
         part = fragment if whole else _part(fragment, start + first, start + last)
-        yield from (replace(e, beside=words) if isinstance(e, OneEquation) else e for e in equations(part))
+        for e in equations(part):
+            said = f"{words} {_words_before(e, part)}".strip() if "$" in part.text else words
+            yield replace(e, beside=said) if isinstance(e, OneEquation) else e
+
+
+def _words_before(equation: Fragment, fragment: Fragment) -> str:
+    """The words of the sentence before an equation between `$`, without the mathematics in them."""
+    at = equation.span(0, 1).start - fragment.span(0, 1).start
+    before = _INLINE.sub(" ", fragment.text[: max(0, at)]).rstrip(" $:\n")
+    return _END_OF_SENTENCE.split(before)[-1].strip()
+
+
+_INLINE = re.compile(r"\$+[^$]*\$+")
+_END_OF_SENTENCE = re.compile(r"[.;]\s|\n\s*\n")
 
 
 def _words_of(text: str) -> str:

@@ -47,7 +47,6 @@ import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import LONGEST_NEW_COORDINATE
-from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
 from lagrange.answers.written.notation.rare import with_indices
 from lagrange.answers.written.reading import read_as_written
@@ -167,7 +166,8 @@ def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr
     stated = {
         n for n in at_rest if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)
     }
-    return {n: q for n, q in at_rest.items() if n not in stated}
+    beside = {n for n, q in at_rest.items() if any(has_word(n, text) and has_word(q.name, text) for text in texts)}
+    return {n: q for n, q in at_rest.items() if n not in stated | beside}
 
 
 def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:
@@ -330,25 +330,6 @@ def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
 
 _VECTOR_R = re.compile(r"\\(?:vec|mathbf|boldsymbol|bm)\s*(?:\{\s*r\s*\}|\s*r(?![A-Za-z]))(?!\s*_)")
 """The position of the only particle: `\\vec r`."""
-_PRIMED = re.compile(rf"[\s$&]*(\\?[A-Za-z](?:_?\w{{1,8}})?|[{''.join(GREEK)}])['′]\s*&?=(?!=)")
-
-
-def with_primed_names(answer: Sequence[Fragment], parameters: Collection[str]) -> Sequence[Fragment]:
-    """`A' = A + m l²` with a constant A: A_prime as a separate name, wherever it occurs."""
-    names = {m[1] for f in answer if (m := _PRIMED.match(f.text)) and GREEK.get(m[1], m[1].lstrip("\\")) in parameters}
-    if not names:
-        return answer
-    pattern = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(map(re.escape, names))})['′](?!['′])")
-    made: list[Fragment] = []
-    for f in answer:
-        latex, draft = is_latex(f), Draft(f)
-        new = r"\1_{prime}" if latex else r"\1_prime"
-        changed = draft.finished(latex=latex) if type(f) is not GivenEquation and draft.replace(pattern, new) else f
-        beside = getattr(f, "beside", "")
-        made.append(
-            replace(changed, beside=beside) if isinstance(changed, OneEquation) and changed is not f else changed
-        )
-    return made
 
 
 def _of_states(number: int, named: Collection[sp.Expr], reference: Reference) -> dict[str, sp.Expr]:
@@ -384,27 +365,56 @@ _OF_ENERGY = re.compile(
 )
 
 
-def printed_names(reference: Reference, texts: Sequence[str] = ()) -> dict[str, sp.Symbol]:
-    """The short names of reactions that have no other meaning in the problem, and an answer's own name for one."""
+def printed_names(reference: Reference, texts: Sequence[str] = (), words: str = "") -> dict[str, sp.Symbol]:
+    """The short names of reactions that have no other meaning in the problem, and an answer's own name for one.
+
+    texts  the equations of the answer
+    words  everything that it says
+    """
     if reference.newton is None:
         return {}
     known = {*reference.declared, *reference.letters, *reference.scope.scalars, *reference.scope.vectors}
     known |= {*reference.scope.functions, *reference.coordinates}
     short_names = {short: symbol for symbol, short in short_reactions(reference.newton, known)}
-    return short_names | _of_normal_force(texts, reference)
+    return short_names | _of_normal_force(texts, words, reference) | _of_tension(texts, reference)
 
 
-def _of_normal_force(texts: Sequence[str], reference: Reference) -> dict[str, sp.Symbol]:
-    """`N_A` of `N_A = ...`, which is not declared, as the force of the only contact; empty if there are several."""
+def _of_tension(texts: Sequence[str], reference: Reference) -> dict[str, sp.Symbol]:
+    """`S = m*g*cos(theta) + ...` and `F_T = ...` as the force of the only rod or string; empty if there are several."""
+    known = {*reference.declared, *reference.scope.scalars}
+    meant = {re.sub(r"[{}]", "", m[1]) for text in texts if (m := TENSION.match(text))} - known
+    reactions = reference.newton.reactions if reference.newton is not None else ()
+    if len(meant) != 1 or len(reactions) != 1 or reactions[0].single is None:
+        return {}
+    rod = reactions[0]
+    is_tension = rod.single is not None and rod.single.kind is ForceKind.TENSION
+    return {meant.pop(): rod.force if rod.named else rod.symbol_of_force} if is_tension else {}
+
+
+TENSION = re.compile(r"[\s$&]*((?:S|Z|F_?\{?[STZ]\}?|F_\{?(?:rod|tension|Seil|Stab|Faden)\}?))\s*&?=(?!=)")
+
+
+def _of_normal_force(texts: Sequence[str], words: str, reference: Reference) -> dict[str, sp.Symbol]:
+    """`N_A` of `N_A = ...`, which is not declared, as the force of the only contact; empty if there are several.
+
+    It is another force, R = mu*N, where the contact's own name occurs as well, or where it is called friction.
+    """
     known = {*reference.declared, *reference.scope.scalars}
     meant = {re.sub(r"[{}]", "", m[1]) for text in texts if (m := _NORMAL.match(text))} - known
     if len(meant) != 1 or reference.newton is None:
         return {}
     normal = [r for r in reference.newton.reactions if r.single is not None and r.single.kind is ForceKind.ALONG]
     symbol = (normal[0].force if normal[0].named else normal[0].symbol_of_force) if len(normal) == 1 else None
-    return {meant.pop(): symbol} if symbol is not None else {}
+    if symbol is None or lines_with(symbol.name, texts):
+        return {}
+    name = meant.pop()
+    called_friction = re.search(
+        rf"(?:{_FRICTION})[^=\n]{{0,40}}(?<![A-Za-z]){re.escape(name)}\s*[=:,(]", words, re.IGNORECASE
+    )
+    return {} if called_friction else {name: symbol}
 
 
+_FRICTION = "fri[ck]tion|reib|frottement|rozamiento|attrito"
 _NORMAL = re.compile(r"[\s$&]*((?:N|F_N|R)(?:_\{?[A-Za-z0-9]{1,2}\}?)?)\s*&?=(?!=)")
 
 
@@ -418,6 +428,8 @@ def lines_with(name: str, lines: Sequence[str]) -> list[int]:
 
 def may_be_force(name: str, value: sp.Expr | None, texts: Sequence[str], reference: Reference) -> bool:
     """Whether a name stated to equal `value`, alone on its side, may be the reaction and not an energy or a period."""
+    if TENSION.match(f"{name} ="):
+        return value is not None and _is_force(value, reference.units) is True
     if name != "T":
         return True
     if any(_OF_ENERGY.search(text) for text in texts):

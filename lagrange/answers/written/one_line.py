@@ -35,6 +35,7 @@ from lagrange.answers.readings import GivenEquation, Reading
 from lagrange.answers.written.expansions import ORDER
 from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices
+from lagrange.answers.written.notation.numbers import unit_behind
 from lagrange.answers.written.notation.plain import cleaned, is_rate
 from lagrange.answers.written.notation.programs import as_equation
 from lagrange.answers.written.notation.rare import integrals_over_time
@@ -104,6 +105,9 @@ def lines_of(fragment: Fragment, declared: Collection[str]) -> list[Line]:
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
     without_braces(draft)
+    draft.keep(0, unit_behind(draft.text, declared))
+    if (positive := _POSITIVE.search(draft.text)) and "=" in draft.text[: positive.start()]:
+        draft.keep(0, positive.start())
     end, number = number_at_the_end(draft.text)
     about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
     latex = is_latex(fragment)
@@ -175,6 +179,8 @@ def each_equation_of_motion(fragment: Fragment) -> list[Fragment]:
     return parts if all(_ACCELERATION.search(p.text) for p in parts) else [fragment]
 
 
+_POSITIVE = re.compile(r"\s*(?:>=?|≥|\\geq?(?:slant)?(?![A-Za-z]))\s*0[\s.,;$]*\Z")
+"""That what is stated is positive, as a normal force is: `N = m g - m v^2/R >= 0`."""
 _DEFINITION = re.compile(
     r"[\s$&]*(?:\\?(?P<function>sin|cos|tan)\s*\(?\s*)?(?P<name>\\?[^\W\d_]+(?:_\w{1,4})?)\s*\)?\s*&?=(?![=>])(?P<value>[^=]+)\Z"
 )

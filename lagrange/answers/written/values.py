@@ -223,6 +223,19 @@ _PART = re.compile(r"[\s$]*\(\s*(?:(?P<letter>[a-h])|(?P<roman>[ivx]{1,4}))\s*\)
 _ROMAN = ("i", "ii", "iii", "iv", "v", "vi", "vii", "viii")
 
 
+_MARKED = re.compile(
+    r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|\\gg|<<|>>"
+    r"|(?:\\to|\\rightarrow|→|->)\s*(?:0|\\infty|∞)|\blimit(?:ing)?\b|\bspecial case\b|\bwe recover\b|grenzfall",
+    re.IGNORECASE,
+)
+_NEGATED = re.compile(r"\bnot\b|\bwithout\b|n't\b|\bno\b|\bnon-?linear|\bnicht\b|\bohne\b|\bkein", re.IGNORECASE)
+
+
+def marks_approximation(words: str) -> bool:
+    """Whether the words beside an equation say that it is one for small angles, or approximate in another way."""
+    return bool(_MARKED.search(words)) and not _NEGATED.search(words)
+
+
 def is_about(line: str) -> bool:
     """Whether a line gives a number with decimals by `≈` alone."""
     return "=" not in _ABOUT.sub(" ", line) and _ALONE.search(line.strip(" $.,;\r")) is not None
@@ -309,8 +322,10 @@ STABILITY = re.compile(
 CONDITIONAL = re.compile(
     r"\(\s*(?:[^()=<>≤≥]{0,40}\s)?(?:if|for|when|exists?|only|where|falls|nur|wenn|für|provided|needs?|requires?|possible|assuming|since|because|as|valid)(?![^\W\d_])"
     r"(?:[^()=]|\([^()=]{0,60}\)){0,80}[<>≤≥](?:[^()]|\([^()]{0,60}\)){1,80}\)"
+    r"|,\s*(?:(?:which|this|it)\s+)?(?:only\s+)?(?:exists?|(?:is\s+)?(?:possible|real)|existiert|gibt\s+es|existe)\s+(?:only\s+|nur\s+|seulement\s+)?"
+    r"(?:iff?|for|when|where|as\s+long\s+as|provided(?:\s+that)?|falls|wenn|für|si|pour)\s[^=;,<>≤≥]{1,60}[<>≤≥][^=;,<>≤≥]{1,60}?(?=\s*(?:[,;]|\.?\s*\Z|\.\s))"
 )
-"""A condition of existence in parentheses after an equation, `(only if W l < c b²)`, which is not judged."""
+"""A condition of existence after an equation, which is not judged: `(only if W l < c b²)`, `exists for c < b`."""
 
 
 _RESULT_AT_A_PLACE = re.compile(

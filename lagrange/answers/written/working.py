@@ -20,6 +20,7 @@ from lagrange.answers.limits import LONGEST_LAW, LONGEST_WRITTEN_NAME, MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
 from lagrange.answers.written.cases import about_special_cases
+from lagrange.answers.written.marked_names import with_indices_of_greek, with_primed_names
 from lagrange.answers.written.names import (
     AT_EQUILIBRIUM,
     as_virtual,
@@ -34,7 +35,6 @@ from lagrange.answers.written.names import (
     solved_for,
     spelled_out,
     with_names_of_vectors,
-    with_primed_names,
     without_arguments,
 )
 from lagrange.answers.written.notation.matrices import has_matrix, with_named_matrices
@@ -53,7 +53,7 @@ from lagrange.answers.written.one_line import (
     words_known,
 )
 from lagrange.answers.written.reading import is_name, quotes_the_method, read_as_written, tried, undeclared
-from lagrange.answers.written.values import NUMBER, is_unit, value_of, with_value_in_si
+from lagrange.answers.written.values import NUMBER, is_unit, marks_approximation, value_of, with_value_in_si
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -85,12 +85,6 @@ _RATE_OF = re.compile(
 """The rate of a letter: `dv/dt`, `\\frac{dv}{dx}`, `\\dot v`."""
 _RATE_ALONE = re.compile(r"\s*d([A-Za-z][A-Za-z0-9_]{0,20})\s*=(?!=)")
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z0-9_])[dδ](?:[A-Za-z]|θ|φ)|/\s*d")
-_APPROXIMATE = re.compile(
-    r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|\\gg|<<|>>"
-    r"|(?:\\to|\\rightarrow|→|->)\s*(?:0|\\infty|∞)|\blimit(?:ing)?\b|\bspecial case\b|\bwe recover\b|grenzfall",
-    re.IGNORECASE,
-)
-_NOT = re.compile(r"\bnot\b|\bwithout\b|n't\b|\bno\b|\bnon-?linear|\bnicht\b|\bohne\b|\bkein", re.IGNORECASE)
 _UNDOING: dict[str, Callable[[sp.Expr], sp.Expr]] = {
     "": lambda e: e,
     "^2": sp.sqrt,
@@ -146,7 +140,7 @@ def understood(
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving, naming)
-    answer = with_primed_names(answer, reference.parameters)
+    answer = with_indices_of_greek(with_primed_names(answer, reference.parameters), sorting.scope)
     answer = with_integrals(answer, sorted(reference.coordinates))
     answer = with_definitions_in_alternatives(answer, sorting.declared)
     if moving:
@@ -202,7 +196,7 @@ class _Sorting:
         given = {id(line): _given(line) for line in waiting}
         return Working(
             tuple(given[id(line)] for line in judged),
-            frozenset(n for n, line in enumerate(judged) if _is_approximation(line)),
+            frozenset(n for n, line in enumerate(judged) if marks_approximation(getattr(line.fragment, "beside", ""))),
             tuple(f for f in given.values() if isinstance(f, GivenEquation) and f.reading.error is not None),
             tuple(given.values()),
             tuple(self.notes),
@@ -325,7 +319,7 @@ class _Sorting:
         """Take T for the tension T_rod, as on a page, where it occurs in one equation and is no energy."""
         texts = [f"{getattr(line.fragment, 'beside', '')} {line.fragment.text}" for line in lines]
         stated = [line.fragment.text for line in lines]
-        for name, symbol in printed_names(self.reference, stated).items():
+        for name, symbol in printed_names(self.reference, stated, "\n".join(texts)).items():
             renamed = lines_with(name, stated)
             if len(renamed) != 1 and not (self.naming and renamed):
                 continue
@@ -360,6 +354,11 @@ class _Sorting:
             what = "states" if n in cases else "is about"
             self._note(lines[n], f"`{lines[n].text}` {what} a special case, and is not judged")
         return [lines[n] for n in cases | special]
+
+    def _note_definition(self, line: Line, name: str) -> None:
+        used = len(lines_with(name, self.texts)) > 1 or line.text.count("=") > 1
+        what = "which is used from here on and not judged" if used else "which no other line uses, and is not judged"
+        self._note(line, f"`{line.text}` defines `{name}`, {what}")
 
     def _note(self, line: Line, message: str, code: str = "not-judged") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
@@ -472,7 +471,7 @@ class _Sorting:
                         self.rounded[name] = undone(with_decimals)
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: undone(value)})
             self.defined.append(name)
-            self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
+            self._note_definition(line, name)
             return True
         return False
 
@@ -505,7 +504,7 @@ class _Sorting:
             return False
         self.scope = replace(self.scope, scalars={**self.scope.scalars, name: value})
         self.defined.append(name)
-        self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
+        self._note_definition(line, name)
         return True
 
     def _leave_prose_out(self, lines: list[Line]) -> None:
@@ -593,8 +592,3 @@ def _given(line: Line) -> Fragment:
 
 def _without(lines: Sequence[Line], others: Sequence[Line]) -> list[Line]:
     return [line for line in lines if not any(line is other for other in others)]
-
-
-def _is_approximation(line: Line) -> bool:
-    beside = getattr(line.fragment, "beside", "")
-    return bool(_APPROXIMATE.search(beside)) and not _NOT.search(beside)

@@ -5,10 +5,11 @@ The forces that keep bodies where the coordinates can place them: a table under 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.core.expression_size import count_operations
 from lagrange.document.derivation import (
     Block,
@@ -27,7 +28,7 @@ from lagrange.document.derivation import (
     series,
 )
 from lagrange.explain.limits import LONGEST_IN_TEXT, LONGEST_REACTION
-from lagrange.explain.words import NORMAL_FORCES, are, capital, constraints_called, plural, the
+from lagrange.explain.words import NORMAL_FORCES, are, capital, constraints_called, plural, sign_conditions, the
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.dynamics.contact.touching import HeldBody, held_bodies
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
@@ -67,19 +68,25 @@ def explain_one_sided(constraints: Sequence[ConstraintAnalysis]) -> list[Prose]:
     return [prose(called + words)]
 
 
-def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ...] = ()) -> list[Block]:
+def explain_contacts(
+    reactions: Reactions,
+    newton: Newton,
+    place: tuple[Part, ...] = (),
+    conditions: Mapping[str, SignCondition] | None = None,
+) -> list[Block]:
     """As long as what contact lasts: the forces that must not become negative.
 
-    place  where the reactions are written, `at (12)`; empty if there is only one place
+    place       where the reactions are written, `at (12)`; empty if there is only one place
+    conditions  at rest, by name of the constraint, what a force that is not negative means: sin θ ≥ 0
     """
     blocks: list[Block] = []
     trivial: list[Reaction] = []
     for r in newton.reactions:
         value = reactions.contacts.get(r.name)
-        if value is None:
+        if value is None or value == 0:
             continue
         sign = reactions.sign_of_contact(r.name)
-        if sign == 1:
+        if sign == 1 or (sign is None and conditions is not None and r.name not in conditions):
             trivial.append(r)
             continue
         is_normal = not NORMAL_FORCES.isdisjoint(map(str, (r.force, r.symbol)))
@@ -97,6 +104,11 @@ def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ..
             continue
         state = "stays taut" if is_cord else "acts" if is_either else "stays in contact"
         words = f"{start} can only {verb}: it {state} as long as "
+        if conditions and r.name in conditions:
+            meant = sign_conditions([conditions[r.name]])
+            force = math(_force(r), sp.S.Zero, relation="≥")
+            blocks.append(prose(*first, words, force, ", that is, ", *meant, ".", purpose=Purpose.CONTACT))
+            continue
         blocks.append(
             prose(
                 *(*first, words, math(_force(r), sp.S.Zero, relation="≥"), Phrase(", that is,", Purpose.THAT_IS)),

@@ -67,10 +67,10 @@ if TYPE_CHECKING:
 _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
     Rule.EQUILIBRIUM: "the equilibrium",
+    Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.SOLVED_REACTIONS: "the reactions",
     Rule.WORKLESS: "its work",
     Rule.HAMILTON: "Hamilton's function",
-    Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.STEADY: "steady motions",
     Rule.LINEARIZATION: "small oscillations",
     Rule.RESPONSE: "the steady state",
@@ -104,6 +104,8 @@ def explain_result(
         kept.pop(Rule.EQUATIONS_OF_MOTION)
     _shorten(solution, kept)
     freedom = solution.classification.degrees_of_freedom
+    if Rule.EQUILIBRIUM in kept and not _is_short(kept.values()):
+        kept[Rule.EQUILIBRIUM] = _in_free_coordinates(solution.chosen, kept[Rule.EQUILIBRIUM])
     while kept and not _is_short(kept.values()):
         # What is asked stays to the last.
         others: list[Rule] = [rule for rule in kept if rule is not Rule.QUESTION] or [*kept]
@@ -128,6 +130,15 @@ def explain_result(
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def _in_free_coordinates(view: InCoordinates, lines: list[Equation]) -> list[Equation]:
+    """The equilibria without the coordinates that the constraints give; all of it if a condition would be lost."""
+    e = view.equilibrium
+    free = {view.configuration.slots.coordinates[k] for k in e.elimination.independent} if e is not None else set()
+    given = {*view.configuration.slots.coordinates} - free
+    kept = [line for line in lines if line.sides[0] not in given]
+    return kept if all(line in kept for line in lines if line.condition) else lines
 
 
 def rest_has_roots(solution: Solution) -> bool:
@@ -387,7 +398,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
         values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
         newton = None if solution.law is None else solution.law.newton
         held = solution.classification.degrees_of_freedom == 0
-        yield from result_at_rest(view, values, newton, held=held)
+        yield from result_at_rest(view, values, newton, held=held, sought=solution.problem.unknowns)
         known = values_of(solution.problem) if newton is not None and view.is_own else None
         if newton is not None and known is not None and (found := reactions_of_only_root(view, newton, known)):
             yield Rule.SOLVED_REACTIONS, found

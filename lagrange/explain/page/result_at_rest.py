@@ -25,7 +25,7 @@ from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Posit
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-from lagrange.mechanics.equilibrium.static_reactions import possible
+from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, possible
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
@@ -34,11 +34,17 @@ from lagrange.values.quantities import Quantity, Values, degrees
 
 
 def result_at_rest(
-    view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr], newton: Newton | None, *, held: bool = False
+    view: InCoordinates,
+    values: Mapping[sp.Symbol, sp.Expr],
+    newton: Newton | None,
+    *,
+    held: bool = False,
+    sought: Collection[sp.Symbol] = (),
 ) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates.
 
-    held  whether the constraints leave no degree of freedom: then the forces are what is sought
+    held    whether the constraints leave no degree of freedom: then the forces are what is sought
+    sought  the unknown forces of the file
     """
     forces = () if view.reactions_at_rest is None else view.reactions_at_rest.at
     kept = range(len(forces)) if newton is None else possible(forces, newton, values)  # of all, the page says why not
@@ -50,8 +56,12 @@ def result_at_rest(
         yield Rule.SOLVED_REACTIONS, [e for e in lines if e.sides[0] in named]
     conditions = [*_friction(view, values)]
     yield Rule.FRICTION_AT_REST, conditions
-    if view.at_rest is not None and (held or not conditions):
-        yield Rule.SOLVED_REACTIONS, [*_forces(view.at_rest)]
+    if view.at_rest is not None:
+        forces_there = [*_forces(view.at_rest)]
+        all_of_them = held or not conditions
+        yield Rule.SOLVED_REACTIONS, [e for e in forces_there if all_of_them or e.sides[0] in sought]
+    elif newton is not None and sought:
+        yield Rule.SOLVED_REACTIONS, [*_at_the_limit(view, newton)]
     if view.steady is not None:
         lines = [*_steady(view.steady), *_about_steady(view.steady)]
         yield Rule.STEADY, [e for e in lines if e.operations <= LONGEST_FREQUENCY]
@@ -70,9 +80,12 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
     if view.equilibrium is None:
         return
     groups: list[list[Equation]] = []
+    reactions = view.reactions_at_rest.at if view.reactions_at_rest is not None else ()
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
-    numbers = view.in_numbers if view.linearization is None or view.linearization.branches == branches else None
+    numbers, linearization = view.in_numbers, view.linearization
+    if linearization is not None and [b.relations for b in linearization.branches] != [b.relations for b in branches]:
+        numbers = None
     for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
         if n in excluded or (numbers is not None and n in numbers.absent and len(numbers.absent) < len(branches)):
             continue
@@ -88,6 +101,8 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         is_open = bool(b.conditions) or verdict is None or verdict.verdict is StabilityVerdict.CONDITIONAL
         known = _with_values(numbers, n) if is_open else ()
         words = (*words, *(("; ",) if words and known else ()), *known)
+        contact = _contact(reactions[n]) if reactions else ()
+        words = (*contact, *(("; ",) if words and contact else ()), *words)
         groups.append(_branch(b, *words))
     groups = [lines for lines in groups if lines]
     are_systems = any(len(lines) > 1 for lines in groups)
@@ -95,6 +110,14 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")
         yield replace(last, condition=beside) if are_systems and n < len(groups) else last
+
+
+def _contact(there: ReactionsAtRest | None) -> tuple[Part, ...]:
+    """`in contact where sin θ ≥ 0`, `taut where z > 0`; nothing where no reaction may act backwards."""
+    if there is None or not there.contact:
+        return ()
+    acts = "taut" if there.contact.keys() <= there.reactions.tensions.keys() else "in contact"
+    return (f"{acts} where ", *sign_conditions([*dict.fromkeys(there.contact.values())]))
 
 
 def _found(p: Position) -> list[Equation]:
@@ -167,6 +190,19 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
         yield from lines
 
 
+def _at_the_limit(view: InCoordinates, newton: Newton) -> Iterator[Equation]:
+    """The named reactions where slip impends, if it does in one way, and in whatever position."""
+    motions = view.impending or ()
+    if len(motions) != 1 or len(motions[0].equilibrium.branches) != 1:
+        return
+    [m] = motions
+    pressed = m.pressed_with(m.equilibrium.branches[0])
+    coordinates = {*view.configuration.slots.coordinates}
+    for r in newton.reactions:
+        if r.given is not None and pressed[r.name].free_symbols.isdisjoint(coordinates):
+            yield Equation((r.force, pressed[r.name]))
+
+
 def _forces(rest: AtRest) -> Iterator[Equation]:
     """Friction and normal forces, where the balance determines them and rest is possible."""
     undetermined = {*rest.open}
@@ -190,16 +226,25 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
 
 
 def _about_steady(steady: SteadyMotions) -> Iterator[Equation]:
-    """The frequency of small oscillations about the only steady motion, if it is stable and has a single one."""
-    branches = [(family.about, s) for family in steady.families for s in family.about.at]
-    if len(branches) != 1 or branches[0][1] is None:
-        return
-    [(about, s)] = branches
-    if s is None or len(s.frequencies) != 1 or s.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
-        return
-    [f] = s.frequencies
-    if f.square is not None and f.square != 0:
-        yield Equation((about.omega**2, f.square), condition=("of small oscillations about it",))
+    """The single frequency of small oscillations about the only steady motion, or about each place that is a number.
+
+    About an unstable one there are none.
+    """
+    branches = [
+        (family, b, s)
+        for family in steady.families
+        for b, s in zip(family.about.branches, family.about.at, strict=True)
+    ]
+    for family, b, s in branches:
+        relations = family.relations(b)
+        is_place = bool(relations) and all(r.rhs.is_number for r in relations)
+        if s is None or len(s.frequencies) != 1 or not (is_place or len(branches) == 1):
+            continue
+        [f] = s.frequencies
+        if s.judgement.stability.verdict is StabilityVerdict.UNSTABLE or f.square is None or f.square == 0:
+            continue
+        where = ("it",) if len(branches) == 1 else listed(math(r.lhs, r.rhs) for r in relations)
+        yield Equation((family.about.omega**2, f.square), condition=("of small oscillations about ", *where))
 
 
 def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tuple[Part, ...]:

@@ -148,8 +148,10 @@ def _conclusion(equilibrium: Equilibrium) -> list[Block]:
     if multiplied:
         steps.append(("multiplying by ", *listed(dict.fromkeys(multiplied))))
     if divided:
-        nonzero = "" if all(e.is_number for e in above) else ", which is not zero"
-        steps.append(("dividing by ", *listed(dict.fromkeys(divided)), nonzero))
+        nonzero = plural(len({*divided}), ", which is not zero", ", which are not zero")
+        steps.append(
+            ("dividing by ", *listed(dict.fromkeys(divided)), "" if all(e.is_number for e in above) else nonzero)
+        )
     return [must_vanish(free, series(steps)), _shown(equilibrium)]
 
 

@@ -59,6 +59,8 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     """The branch without the points outside of the ranges; None if all of them are."""
     if b.left and not b.special and len(solution.unknowns) == 1 and ranges.get(q := solution.unknowns[0]) == QUARTER:
         return beside_zero(b, q)
+    if b.left and b.points and all(is_outside(p, ranges, solution) for p in b.points):
+        return None  # by the coordinates that are solved for
     if b.left or b.special or not b.points:
         return b
     positive = [c.lhs - c.rhs for c in b.conditions if c.relation == ">"]

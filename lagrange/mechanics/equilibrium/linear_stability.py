@@ -33,7 +33,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import sign_on, where_positive
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
-from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.solution_sets import Branch, known_positive
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
@@ -46,7 +46,6 @@ from lagrange.mechanics.equilibrium.stability import (
     StabilityVerdict,
     by_signs,
     definiteness,
-    known_positive,
     on_branch,
     second_variation,
     with_critical_loads,

@@ -29,6 +29,7 @@ from itertools import combinations, islice, product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, sign_in_range
@@ -84,6 +85,7 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
     if len(unknowns) > MOST_UNKNOWNS:
         return None
+    values = replace(values, numbers={**values.numbers, **dict.fromkeys(_scales(e, values), sp.S.One)})
     forces = [values.put_in(f) for f in e.work.forces]
     others = [values.put_in(x) for x in (*e.laws, *e.configuration.finite_constraints)]
     columns = [[values.put_in(row.coefficients[k]) for row in e.binding] for k in range(len(forces))]
@@ -102,6 +104,14 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
         if best is not None and best.complete:
             break
     return best
+
+
+def _scales(e: Equilibrium, values: Values) -> Iterator[sp.Symbol]:
+    """The positive parameters without a value to which all forces are proportional: they change no position."""
+    forces = [values.put_in(f) for f in e.work.forces]
+    for s in sorted({s for f in forces for s in f.free_symbols} & values.parameters, key=str):
+        if s.is_positive and all(is_zero(s * f.diff(s) - f) for f in forces):
+            yield s
 
 
 def _by_angles(
@@ -295,6 +305,9 @@ def _is_tiny(number: sp.Expr) -> bool:
 
 
 def _is_finite(value: sp.Expr) -> bool:
+    """Whether a force has a value at a root; one with a parameter that has no value has one unless a pole shows."""
+    if value.free_symbols:
+        return not value.has(sp.zoo, sp.nan, sp.oo)
     try:
         real_value(value)
     except NotRealError:

@@ -39,7 +39,7 @@ from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, resolved
+from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, known_positive, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.effort import within
@@ -111,6 +111,9 @@ class Stability:
     def is_always_stable(self) -> bool:
         """Whether it is stable for all values of the parameters."""
         return self.verdict is StabilityVerdict.STABLE and not self.presupposed
+
+
+UNKNOWN = Stability(StabilityVerdict.UNDECIDED)
 
 
 @record
@@ -194,11 +197,10 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
         return None
     numerator, denominator = sp.fraction(sp.cancel(sp.together(value)))
     try:
-        numerators = [numerator, letters.reduced(numerator)]
+        reduced = [letters.reduced(numerator, keep) for keep in ("cosine", "sine")]
+        numerators = [numerator, reduced[0], *(resolved(p, b.common) for p in reduced)]  # sin θ may have a value
     except sp.PolynomialError:  # a root of roots, such as the rate of a body drawn to two centres
         numerators = [numerator]
-    if in_parameters and len(numerators) > 1:
-        numerators.append(resolved(numerators[1], b.common))
     divisor = letters.write(sp.factor(denominator))
     forms = []
     for p in dict.fromkeys(numerators):
@@ -207,14 +209,15 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     if in_parameters:
         unknowns = {*e.solution.unknowns}
         return min(forms, key=lambda f: (bool(f.free_symbols & unknowns), count_operations(f)))
-    return min(forms, key=lambda f: (sign_of(f) is None, count_operations(f)))
+    positive = known_positive(b)
+    return min(forms, key=lambda f: (sign_on(f, positive) is None, count_operations(f)))
 
 
 def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
     if b.special or (b.left and e.elimination.pivots):
-        return Stability(StabilityVerdict.UNDECIDED)
+        return UNKNOWN
     if b.left:
-        return _where_it_is_definite(b, matrix, e)
+        return within(UNITS_OF_LOWEST_FORM, lambda: _where_it_is_definite(b, matrix, e)) or UNKNOWN
     judged = _on_solved_branch(b, matrix, e)
     if judged.verdict is StabilityVerdict.CONDITIONAL and len(matrix) == 1 and not judged.free:
         return _with_limit(judged, matrix[0][0], b, e)
@@ -240,7 +243,7 @@ def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibri
         return _with_multipliers(b, e)
     entries = [on_branch(b, x, e) for row in matrix for x in row]
     if any(x is None for x in entries):
-        return Stability(StabilityVerdict.UNDECIDED)
+        return UNKNOWN
     width = len(matrix)
     if any(idle and o is b for o, idle in zip(e.branches, e.idle, strict=False)):
         return _at_pole([entries[n * width : (n + 1) * width] for n in range(width)], b, e)
@@ -296,25 +299,23 @@ def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -
 
 def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
     """The verdict at equations that are not solved: the conditions are in the coordinates, if they are short."""
-    undecided = Stability(StabilityVerdict.UNDECIDED)
     if b.occupied and len(matrix) == 1 and e.configuration.ranges.get(e.solution.unknowns[0]) == QUARTER:
         rise = slope(-e.independent_forces[0], e.solution.unknowns[0])
         if rise is not None:
             verdict = StabilityVerdict.STABLE if rise[1] == 1 else StabilityVerdict.UNSTABLE
             return Stability(verdict, (rise[0],))
     if any(x.has(sp.DiracDelta) for row in matrix for x in row):
-        return undecided
+        return UNKNOWN
     minors = [_minor(matrix, range(n), b, e) for n in range(1, len(matrix) + 1)]
     known = [m for m in minors if m is not None and not is_zero(m)]
     if len(known) < len(minors):
-        return undecided
+        return UNKNOWN
     judged = by_signs(known, b, e)
     if len(minors) == 1 and judged.verdict is not StabilityVerdict.STABLE:
-        [[second]] = matrix
-        positive = SignCondition(second, ">", sp.S.Zero)
-        return Stability(StabilityVerdict.CONDITIONAL, (second,), (positive,))
+        second = matrix[0][0]
+        return Stability(StabilityVerdict.CONDITIONAL, (second,), (SignCondition(second, ">", sp.S.Zero),))
     if sum(count_operations(c.lhs - c.rhs) for c in judged.conditions) > LONGEST_UNSOLVED:
-        return undecided
+        return UNKNOWN
     return replace(judged, minors=tuple(min(m, shortest_form(m), key=lambda x: count_operations(x)) for m in known))
 
 
@@ -427,18 +428,17 @@ def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:
     The eliminated V_kj is degenerate there: a pivot that vanishes makes B infinite. The multipliers need no pivot, and
     the displacements with A δq = 0 are solved for once more with the values of A on the branch.
     """
-    undecided = Stability(StabilityVerdict.UNDECIDED)
     if any(r.finite is None for r in e.binding):
-        return undecided
+        return UNKNOWN
     q = e.configuration.slots.coordinates
     rows = [[on_branch(b, a, e) for a in r.coefficients] for r in e.binding]
     second = [[on_branch(b, -f.diff(x), e, in_parameters=True) for x in q] for f in e.balance(e.multipliers)]
     entries = [x for row in (*rows, *second) for x in row]
     if any(x is None or x.free_symbols & {*e.multipliers} for x in entries):
-        return undecided
+        return UNKNOWN
     free = _eliminated(rows, e)
     if free is None:
-        return undecided
+        return UNKNOWN
     shape = sp.Matrix(free.shape(len(q)))
     reduced = (shape.T * sp.Matrix(second) * shape).tolist()
     return replace(definiteness(reduced, b, e), free=tuple(q[k] for k in free.independent))
@@ -461,7 +461,7 @@ def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium)
     for n in range(1, len(matrix) + 1):
         minor = _minor(matrix, range(n), b, e)
         if minor is None:
-            return Stability(StabilityVerdict.UNDECIDED)
+            return UNKNOWN
         minors.append(minor)
     known = known_positive(b)
     judged = by_signs(minors, b, e)
@@ -574,24 +574,6 @@ def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | No
     squares = {on_branch(replace(b, common=at), x**2, e, in_parameters=True) for at in (b.common, *b.points)}
     known = sorted((s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}), key=str)
     return known[0] if known and all(is_zero(s - known[0]) is True for s in known[1:]) else None
-
-
-def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
-    """Expressions that are positive on a branch, or zero at its ends, by the conditions for its existence.
-
-    strict  only those that cannot be zero
-    """
-    above = (">",) if strict else (">", "≥")
-    below = ("<",) if strict else ("<", "≤")
-    conditions = dict.fromkeys((*b.conditions, *b.implied))
-    known = [c.lhs - c.rhs for c in conditions if c.relation in above]
-    for c in conditions:
-        if c.relation in below:
-            within = c.lhs.args[0] if isinstance(c.lhs, sp.Abs) else None
-            known += [c.rhs - c.lhs] if within is None else [c.rhs - within, c.rhs + within]
-    known = [sp.factor(p) for p in known]
-    numerators = (above for above, below in map(sp.fraction, known) if below != 1 and sign_of(below) == 1)
-    return [*known, *numerators]
 
 
 def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:

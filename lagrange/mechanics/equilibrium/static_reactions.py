@@ -16,22 +16,32 @@ The forces of springs at the equilibria: k (d − l) at every point of a branch,
 
 A branch such as cos θ = a is a set of points. The force is stated where it is the same at all of them, which is decided
 exactly; otherwise the branch says too little.
+
+A contact can only push, and a string can only pull. Where the sign of such a force is not known, the branch has the
+condition that it is not negative, N = m g tan θ ≥ 0 where sin θ ≥ 0: its other points are no equilibria.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.polynomial_roots import without_squares
-from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.shortest_form import in_sines, shortest_form
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved
+from lagrange.algebra.closed_forms.solution_sets import (
+    Branch,
+    SolutionSet,
+    by_stated_roots,
+    known_positive,
+    parameters_given,
+    resolved,
+)
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
@@ -93,6 +103,13 @@ class Points:
             except NotAlgebraicError:
                 yield None
 
+    def sign(self, point: Values, e: sp.Expr, numbers: Mapping[sp.Symbol, sp.Expr]) -> int | None:
+        """The sign of an expression at one of the points, for given parameters; None if it is not known."""
+        try:
+            return sign_of(self.at(point, e).xreplace(dict(numbers)))
+        except (NotAlgebraicError, DivisionByZeroError):
+            return None
+
     def values_at(self, expressions: Sequence[sp.Expr]) -> Iterator[list[sp.Expr]]:
         """Several expressions at each of the points. Raises NotAlgebraicError, DivisionByZeroError."""
         for point in self.values:
@@ -118,12 +135,14 @@ class ReactionsAtRest:
 
     open      multipliers that the position does not determine, because the constraints are dependent there
     verified  whether they balance the forces at every point
+    contact   by name of the constraint, the condition under which a contact pushes or a string pulls, if it may not
     """
 
     points: Points
     reactions: Reactions
     open: tuple[sp.Symbol, ...]
     verified: bool | None
+    contact: Mapping[str, SignCondition] = field(default_factory=dict)
 
     @property
     def rule(self) -> dict[sp.Symbol, sp.Expr]:
@@ -156,13 +175,15 @@ def would_act_backwards(
 
     values  those of the parameters, as far as they are given
     """
-    if there is None:
-        return []
-    found = there.reactions
-    strings = {r.name for r in newton.reactions if _is_string(r)} & found.tensions.keys()
-    forces = {name: found.tensions[name] for name in strings} | dict(found.contacts)
+    forces = {} if there is None else _one_sided(there.reactions, newton)
     signs = {name: sign_of(force.xreplace(dict(values or {}))) for name, force in forces.items()}
     return [r for r in newton.reactions if signs.get(r.name) == -1]
+
+
+def _one_sided(found: Reactions, newton: Newton) -> dict[str, sp.Expr]:
+    """The forces that cannot be negative, by name of the constraint: of contacts, and the tensions of strings."""
+    strings = {r.name for r in newton.reactions if _is_string(r)} & found.tensions.keys()
+    return {name: found.tensions[name] for name in strings} | dict(found.contacts)
 
 
 def _is_string(r: Reaction) -> bool:
@@ -181,11 +202,32 @@ def possible(
 def slack_branches(
     static: StaticReactions | None, law: NewtonLaw | None, values: ValuesGiven | None
 ) -> tuple[Branch, ...]:
-    """The branches at which a contact would have to pull, or a string to push; none where these are all."""
-    if static is None or law is None:
+    """The branches at which a contact would have to pull, or a string to push; none where these are all.
+
+    Of a branch that contains other points as well, the points at which it would.
+    """
+    if static is None or law is None or not static.at:
         return ()
-    kept = possible(static.at, law.newton, values.numbers if values is not None else {})
-    return tuple(b for n, b in enumerate(static.equilibrium.branches) if static.at and n not in kept)
+    numbers = values.numbers if values is not None else {}
+    kept = possible(static.at, law.newton, numbers)
+    slack = []
+    for n, (b, there) in enumerate(zip(static.equilibrium.branches, static.at, strict=True)):
+        if n not in kept:
+            slack.append(b)
+        elif there is not None and there.contact:
+            forces = _one_sided(there.reactions, law.newton).values()
+            points = tuple(p for p in b.points if any(there.points.sign(p, f, numbers) == -1 for f in forces))
+            slack += [replace(b, points=points)] if 0 < len(points) < len(b.points) else []
+    return tuple(slack)
+
+
+def in_contact(e: Equilibrium, static: StaticReactions | None) -> Equilibrium:
+    """The equilibria with the conditions under which contacts push and strings pull, which are not stated."""
+    if static is None or not any(there is not None and there.contact for there in static.at):
+        return e
+    conditions = (() if there is None else there.contact.values() for there in static.at)
+    branches = (replace(b, implied=(*b.implied, *c)) for b, c in zip(e.branches, conditions, strict=True))
+    return replace(e, branches=tuple(branches))
 
 
 def static_reactions(
@@ -218,7 +260,10 @@ def _at(
         written = resolved(letters.write(resolved(algebraic, common)), places)  # x under a root is no letter
         return written.xreplace(dict(points.given))
 
-    place = SolutionPlace(write, points, points, tidy_quotient, lambda e: over_one_denominator(shortest_form(e)))
+    def shorten(e: sp.Expr) -> sp.Expr:
+        return by_stated_roots(over_one_denominator(shortest_form(e)), b.relations)
+
+    place = SolutionPlace(write, points, points, tidy_quotient, shorten)
     slots = original.configuration.slots
     try:
         rows = tuple(tuple(write(r.row.coefficients[k]) for r in used) for k, _ in enumerate(slots.coordinates))
@@ -233,7 +278,22 @@ def _at(
         return None
     if b.left and verified is not True:
         return None
-    return ReactionsAtRest(points, reactions, opened, verified)
+    return ReactionsAtRest(points, reactions, opened, verified, _contact_conditions(b, reactions, newton))
+
+
+def _contact_conditions(b: Branch, reactions: Reactions, newton: Newton) -> dict[str, SignCondition]:
+    """That one-sided forces of either sign are not negative: sin θ ≥ 0 for N = m g tan θ with cos θ > 0."""
+    positive = known_positive(b)
+    forces = {name: f for name, f in _one_sided(reactions, newton).items() if not is_zero(f)}
+    found = {}
+    for name, force in forces.items():
+        is_divided = sign_of(sp.fraction(in_sines(force))[0], positive) is not None  # W/z is never zero
+        conditions = not_negative(in_sines(force), positive)
+        if conditions is None:
+            found[name] = more_than_zero(force)
+        elif conditions:
+            found[name] = more_than_zero(force, positive) if is_divided else conditions[0]
+    return found
 
 
 def _points(b: Branch, resting: Equilibrium) -> Points:

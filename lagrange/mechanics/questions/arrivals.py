@@ -253,6 +253,22 @@ def approached(
     return AnswerBranch(question.quantity, value, (value,), limit=True)
 
 
+def goes_on(speed: sp.Expr, state: SymbolValues, beginning: InitialMotion) -> bool:
+    """Whether a speed of slip is c q' with the sign that it has while q goes from its start to the state.
+
+    state  one that is reached, along one coordinate if there are several, for the first time
+    """
+    moving = [q for q in beginning.by_themselves if prime(q) in speed.free_symbols]
+    if len(moving) != 1 or moving[0] not in state or moving[0] not in beginning.initial:
+        return False
+    [q] = moving
+    factor = speed.diff(prime(q))
+    way = beginning.sign(state[q] - beginning.initial[q])
+    if way not in (1, -1) or way != beginning.direction(q) or sp.expand(speed - factor * prime(q)) != 0:
+        return False
+    return factor.free_symbols.isdisjoint((q, prime(q))) and beginning.sign(factor) == way
+
+
 def while_slipping(
     speeds: Sequence[sp.Expr], until: sp.Expr, sign: Callable[[sp.Expr], int | None]
 ) -> tuple[SignCondition, ...] | None:

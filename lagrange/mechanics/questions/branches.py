@@ -153,7 +153,8 @@ def first_branches(
     if one:
         left = [_with_direction(b, beginning) for b in left]
     still = all(beginning.direction(q) == 0 for q in beginning.slots.coordinates)
-    return Chosen(tuple(left), tuple(dropped), _are_mirrored(left) and still)
+    either = still or (not beginning.initial and _is_reversed(quantity, beginning.slots))
+    return Chosen(tuple(left), tuple(dropped), either and _are_mirrored(left))
 
 
 def _has_wrong_sign(b: AnswerBranch, quantity: sp.Expr) -> bool:
@@ -529,6 +530,11 @@ def _are_mirrored(branches: Sequence[AnswerBranch]) -> bool:
     """Whether there are two values, one the opposite of the other."""
     values = [v for b in branches for v in b.values]
     return len(values) == 2 and len(branches) == 2 and is_zero(values[0] + values[1]) is True
+
+
+def _is_reversed(quantity: sp.Expr, slots: Slots) -> bool:
+    """Whether a quantity has the opposite sign in the motion with opposite velocities: a steady rate has no sense."""
+    return bool(sp.expand(quantity + quantity.xreplace({v: -v for v in slots.velocities})) == 0)
 
 
 def outright(conditions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> list[sp.Symbol]:

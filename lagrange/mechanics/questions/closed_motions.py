@@ -36,7 +36,12 @@ from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.questions.forms import given_state, with_whole_logarithms, without_roots_in_logarithms
+from lagrange.mechanics.questions.forms import (
+    given_state,
+    with_whole_logarithms,
+    without_roots_in_logarithms,
+    without_waves_of_logarithms,
+)
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS, TIMES_ASKED
 from lagrange.mechanics.questions.linear_motions import coupled_solutions, coupled_with, of_rates_in_time, since_start
 from lagrange.mechanics.questions.results import Substituted, UsedIntegral
@@ -63,6 +68,7 @@ class ClosedMotion:
 
     def written(self, value: sp.Expr) -> sp.Expr:
         """The value of a quantity at one time, in the form in which it is printed."""
+        value = without_waves_of_logarithms(value)
         written = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value)
         return without_roots_in_logarithms(min(value, written, key=count_operations) if self.speeds else written)
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.shortest_form import with_whole_contents, without_leading_minus
-from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, more_than_zero, not_negative, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import prime, sign_in_range, without_known_magnitudes
@@ -58,10 +58,14 @@ def with_factors(e: sp.Expr) -> sp.Expr:
 
 def _factored(f: sp.Expr) -> sp.Expr:
     base, exponent = f.as_base_exp()
-    roots = any(not p.exp.is_Integer for p in base.atoms(sp.Pow))
-    if not base.is_Add or roots or base.has(sp.log, sp.exp) or count_operations(base) > LONGEST_MULTIPLIED_OUT:
+    if not base.is_Add or base.has(sp.log, sp.exp) or count_operations(base) > LONGEST_MULTIPLIED_OUT:
         return f
-    other = sp.factor(sp.expand(base))
+    roots = [p for p in base.atoms(sp.Pow) if not p.exp.is_Integer]
+    letters = {
+        p: sp.Dummy(positive=True) for p in roots
+    }  # terms beside a root may cancel: 2n (A + C) − 2n A − 2n C + √…
+    multiplied = sp.expand(base.xreplace(letters)).xreplace({letter: p for p, letter in letters.items()})
+    other = multiplied if roots else sp.factor(multiplied)
     return other**exponent if count_operations(other) < count_operations(base) else f
 
 
@@ -75,6 +79,8 @@ def _product(e: sp.Expr) -> sp.Expr:
             number = number * f
         elif exponent in (sp.S.Half, -sp.S.Half):
             inside.append(base if exponent == sp.S.Half else 1 / base)
+        elif f.is_number and f.is_positive and f.is_Pow and exponent.is_Rational and exponent.q == 4:
+            inside.append(f**2)  # √(√3 g/l) for 3^(1/4) √(g/l)
         else:
             outside.append(under_one_root(f))
     if len(inside) < 2 and not (inside and inside[0].is_Rational is False and _fits(number, inside[0])):
@@ -103,6 +109,36 @@ def without_roots_in_logarithms(e: sp.Expr) -> sp.Expr:
         return f if has_root or count_operations(square) >= count_operations(inner) else sp.log(square) / 2
 
     return e.replace(lambda f: isinstance(f, sp.log), shorter)
+
+
+def without_waves_of_logarithms(e: sp.Expr) -> sp.Expr:
+    """√(u² − 1)/u for tanh(log(u + √(u² − 1))): hyperbolic functions of logarithms are algebraic."""
+
+    def algebraic(f: sp.Expr) -> sp.Expr:
+        number, log = f.args[0].as_coeff_Mul()
+        if not isinstance(log, sp.log) or not (2 * number).is_Integer or abs(number) > 1:
+            return f
+        grown = log.args[0]
+        shrunk = sp.radsimp(1 / grown) if grown.is_Add else 1 / grown
+        if is_zero(sp.expand(grown * shrunk) - 1) is not True:
+            return f
+        sign = 1 if number > 0 else -1
+        if abs(number) == sp.S.Half:
+            grown, shrunk = sp.sqrt(grown), sp.sqrt(shrunk)
+        cosine, sine = (sp.expand(grown + shrunk) / 2, sign * sp.expand(grown - shrunk) / 2)
+        return {sp.cosh: cosine, sp.sinh: sine, sp.tanh: sine / cosine}[f.func]
+
+    return e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh | sp.tanh) and f.has(sp.log), algebraic)
+
+
+def with_exponentials_under_roots(e: sp.Expr) -> sp.Expr:
+    """√(1 − exp(−2x)) for √(exp(2x) − 1) exp(−x), in a product."""
+    for wave in [f for f in sp.Mul.make_args(e) if isinstance(f, sp.exp)]:
+        for root in [f for f in sp.Mul.make_args(e) if f.is_Pow and f.exp == sp.S.Half and f.base.is_Add]:
+            inside = sp.expand(root.base * wave**2)
+            if wave in sp.Mul.make_args(e) and count_operations(inside) <= count_operations(root.base) + 1:
+                e = e / wave / root * sp.sqrt(inside)
+    return e
 
 
 def with_whole_logarithms(form: Callable[[sp.Expr], sp.Expr], e: sp.Expr) -> sp.Expr:
@@ -156,18 +192,48 @@ def _fits(number: sp.Expr, radicand: sp.Expr) -> bool:
 
 def joined_conditions(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
     """Each condition once, without what always holds; a ≥ b and a ≠ b are a > b."""
-    kept = [c for c in dict.fromkeys(conditions) if not always_holds(c)]
+    plain = [p for c in conditions for p in _without_exponential(c)]
+    kept = [c for c in dict.fromkeys(plain) if not always_holds(c)]
     different = [c for c in kept if c.relation == "≠"]
     result: list[SignCondition] = []
     for c in kept:
-        pair = {sp.expand(c.lhs - c.rhs), sp.expand(c.rhs - c.lhs)}
-        if c.relation == "≠" and any(o.relation in (">", "<", "≥", "≤") and _between(o) in pair for o in kept):
+        if c.relation == "≠" and any(o.relation in (">", "<", "≥", "≤") and _sense(c, o) for o in kept):
             continue
-        strict = c.relation in ("≥", "≤") and any(_between(o) in pair for o in different)
-        relation = {"≥": ">", "≤": "<"}[c.relation] if strict else c.relation
-        if SignCondition(c.lhs, relation, c.rhs) not in result:
-            result.append(SignCondition(c.lhs, relation, c.rhs))
+        if c.relation in ("≥", "≤"):
+            same = next(((o, sense) for o in different if (sense := _sense(c, o))), None)
+            c = c if same is None else _strict(c, *same)
+        if c not in result:
+            result.append(c)
     return tuple(result)
+
+
+def _strict(c: SignCondition, other: SignCondition, sense: int) -> SignCondition:
+    """a > b for a ≥ b and a ≠ b, with the shorter of their sides: l² > b² sin² α for l² + b² cos² α ≥ b²."""
+    relation = {"≥": ">", "≤": "<"}[c.relation]
+    if count_operations(other.lhs - other.rhs) >= count_operations(c.lhs - c.rhs):
+        return SignCondition(c.lhs, relation, c.rhs)
+    sides = (other.lhs, other.rhs) if sense == 1 else (other.rhs, other.lhs)
+    return SignCondition(sides[0], relation, sides[1])
+
+
+def _sense(c: SignCondition, other: SignCondition) -> int:
+    """1 where two conditions compare the same, −1 where they do with their sides exchanged, 0 where they do not."""
+    first, second = _between(c), _between(other)
+    if first.free_symbols != second.free_symbols:
+        return 0
+    return next((s for s in (1, -1) if first == s * second or is_zero(first - s * second) is True), 0)
+
+
+def _without_exponential(c: SignCondition) -> tuple[SignCondition, ...]:
+    """x ≥ 0 for exp(k x) ≥ 1."""
+    for side, other, turned in ((c.lhs, c.rhs, False), (c.rhs, c.lhs, True)):
+        if isinstance(side, sp.exp) and other == 1 and c.relation in (">", "≥", "<", "≤"):
+            exponent = -side.args[0] if turned != (c.relation in ("<", "≤")) else side.args[0]
+            if c.relation in (">", "<"):
+                return (more_than_zero(exponent),)
+            plain = not_negative(exponent)
+            return (c,) if plain is None else plain
+    return (c,)
 
 
 def _between(c: SignCondition) -> sp.Expr:
@@ -200,8 +266,20 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     rhs = _over_positive(without_known_magnitudes(b.rhs))
     rhs = without_leading_minus(with_whole_contents(with_factors(without_roots_below(rhs))))
     rhs = with_number_apart(with_half_angle(with_tanh(rhs)))
-    rhs = under_one_root(with_known_signs(with_joined_logarithms(rhs), b.conditions))
+    rhs = with_known_signs(with_joined_logarithms(rhs), b.conditions)
+    rhs = with_exponentials_under_roots(with_common_number(rhs))
+    rhs = under_one_root(rhs)
     return replace(b, rhs=rhs, conditions=settled(joined_conditions(b.conditions), rhs))
+
+
+def with_common_number(e: sp.Expr) -> sp.Expr:
+    """27 (R − a)/10 for 27 R/10 − 27 a/10: a number that all terms of a sum have before them."""
+    parts = [term.as_coeff_Mul() for term in e.args] if e.is_Add else []
+    numbers = {abs(number) for number, _ in parts}
+    if len(numbers) != 1 or numbers == {sp.S.One} or any(rest == 1 for _, rest in parts):
+        return e
+    [number] = numbers
+    return sp.Mul(number, sp.Add(*(c / number * rest for c, rest in parts)), evaluate=False)
 
 
 def _over_positive(e: sp.Expr) -> sp.Expr:
@@ -316,4 +394,4 @@ def without_weaker(conditions: Iterable[SignCondition]) -> tuple[SignCondition, 
 
 def given_state(problem: Problem) -> tuple[Substituted, ...]:
     """The state at t = 0 as the file gives it."""
-    return tuple(Substituted(v.symbol, under_one_root(v.value), v.measured) for v in problem.initial)
+    return tuple(Substituted(v.symbol, under_one_root(v.value), v.measured, v.hides_units) for v in problem.initial)

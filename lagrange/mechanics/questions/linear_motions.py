@@ -34,6 +34,7 @@ from lagrange.algebra.closed_forms.limits import HIGHEST_RATIONAL_DEGREE
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.forms.antiderivatives import antiderivative
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import prime, t
 from lagrange.mechanics.questions.limits import MOST_COUPLED
 from lagrange.mechanics.questions.states import SymbolValues
@@ -70,17 +71,27 @@ def coupled_solutions(
         _S * places[j] + speeds[j] + sp.Add(*(damping[j, k] * places[k] for k in range(n))) + forcing[j]
         for j in range(n)
     ]
-    below = sp.expand(matrix.det(method="berkowitz"))
+    below = _with_unit_squares(sp.expand(matrix.det(method="berkowitz")))
     solutions: dict[sp.Symbol, Original] = {}
     for k, q in enumerate(group):
         replaced = matrix.copy()
         for j in range(n):
             replaced[j, k] = right[j]
-        original = _original(sp.expand(replaced.det(method="berkowitz")), below)
+        original = _original(_with_unit_squares(sp.expand(replaced.det(method="berkowitz"))), below)
         if original is None:
             return {}
         solutions[q] = original
     return solutions
+
+
+def _with_unit_squares(e: sp.Expr) -> sp.Expr:
+    """A polynomial with sin² α = 1 − cos² α, where that is shorter: Ω² of the components Ω cos α and Ω sin α."""
+    for sine in sorted(e.atoms(sp.sin), key=str):
+        square = 1 - sp.cos(sine.args[0]) ** 2
+        rule = {sine**n: square ** (n // 2) * sine ** (n % 2) for n in range(2, HIGHEST_RATIONAL_DEGREE + 1)}
+        other = sp.expand(e.xreplace(rule))
+        e = other if count_operations(other) < count_operations(e) else e
+    return e
 
 
 def _system(

@@ -184,7 +184,8 @@ class _Search:
                 return asked if asked.answered else self._in_numbers() or asked
         elif self.question.by is None and (constant := self._constant()) is not None:
             return constant
-        if self.question.by != t and (self.question.by is not None or t not in self.quantity.free_symbols):
+        is_of_state = self.question.by is not None or self.setting.is_of_state(self.quantity, self.when)
+        if self.question.by != t and is_of_state:
             for route, used in (
                 (Route.STATE, []),
                 *((Route.INTEGRALS, u) for u in self.setting.finite_integrals(self.when)),
@@ -200,8 +201,8 @@ class _Search:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:
             raise ProblemError(ranges.changes(self.question))
-        if free and self._not_given():
-            raise ProblemError(ranges.not_determined(self.question, free, self._not_given()))
+        if free and self.setting.not_given:
+            raise ProblemError(ranges.not_determined(self.question, free, self.setting.not_given))
         return self._in_numbers() or self._asked(Route.INTEGRALS, free=free)
 
     def _lacks_accelerations(self) -> bool:
@@ -233,14 +234,7 @@ class _Search:
     @property
     def _has_numbers(self) -> bool:
         """Whether the motion can be integrated in numbers up to the condition."""
-        known, moving = self.setting.known.accelerations, {*self.place.moving} | self.setting.values.keys()
-        expressions = [*known.values(), *self.setting.initial.values(), self.quantity, *self.when]
-        complete = len(known) == len(self.slots.coordinates) and not self._not_given() and len(self.when) == 1
-        return complete and all(e.free_symbols <= moving for e in expressions)
-
-    def _not_given(self) -> list[sp.Symbol]:
-        """The coordinates and velocities that have no value at t = 0."""
-        return [s for s in (*self.slots.coordinates, *self.slots.velocities) if s not in self.setting.initial]
+        return len(self.when) == 1 and self.setting.has_numbers([self.quantity, *self.when])
 
     def _constant(self) -> Asked | None:
         """The answer where an integral alone gives it: its multiple, or a parameter in its value."""
@@ -287,13 +281,15 @@ class _Search:
     def _chosen(self, route: Route, elimination: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
-        inside = (ranges.in_ranges(b, self.configuration, self.setting.values) for b in elimination.branches)
+        signed = [b for b in elimination.branches if not ranges.has_wrong_sign(b, self.adapted)]
+        inside = (ranges.in_ranges(b, self.configuration, self.setting.values) for b in signed)
         elimination = replace(elimination, branches=tuple(b for b in inside if b is not None))
         parted = [self._with_stated_slip(b) for b in elimination.branches]
         lasting = [b for b in parted if b is not None]
         against = [b for b, kept in zip(elimination.branches, parted, strict=True) if kept is None]
         chosen = first_branches(lasting, replace(self._beginning, values={}), reached, self.question.by, quantity)
-        if sum(not b.excluded_by(self.setting.values) for b in chosen.branches) > 1:
+        possible = [b for b in chosen.branches if not b.excluded_by(self.setting.values)]
+        if len(possible) > 1 or any(len(b.values) > 1 for b in possible):  # two branches, or cos θ = c of ±θ
             chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
         if against and all(self._beginning.is_initial(s) for b in chosen.branches for s in b.states):
             return self._after_turning(route, used)
@@ -329,7 +325,7 @@ class _Search:
         asked = self._in_time() if self.parameter is None else None
         found = asked.branches if asked is not None else ()
         for b, other in product(branches, found if len(found) == 1 else ()):
-            if len(b.values) == 1 and is_zero(other.values[0] - b.values[0]) is True:
+            if len(b.values) == 1 and is_zero(sp.expand_log(other.values[0] - b.values[0])) is True:
                 conditions = tuple(dict.fromkeys((*b.conditions, *other.conditions)))
                 return [replace(b, provided=False, limit=b.limit or other.limit, conditions=conditions)]
         return branches
@@ -344,15 +340,18 @@ class _Search:
         moving, about = {*self.place.moving}, [e.xreplace(self.rule) for e in (*self.when, self.quantity)]
         if self._is_at_start or self.question.by is not None or all(e.free_symbols.isdisjoint(moving) for e in about):
             return False
-        speeds = [e.xreplace(self.rule).xreplace(dict(s)) for s in b.states for e in self.setting.stated_slips]
-        return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e in speeds)
+        speeds = [(e.xreplace(self.rule).xreplace(dict(s)), s) for s in b.states for e in self.setting.stated_slips]
+        if not b.provided:
+            speeds = [(e, s) for e, s in speeds if not arrivals.goes_on(e, s, self._beginning)]
+        return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e, _ in speeds)
 
     def _slips_backwards(self, state: SymbolValues, b: AnswerBranch) -> bool:
         """Whether slip has the other sense in a state, or would have led away from it since the start."""
         covered = [s * (state[q] - self.setting.initial[q]) for q, s in self.kept_senses.items() if q in state]
         speeds = [*(e.xreplace(dict(state)) for e in self.setting.slips), *covered]
         moving = {*self.place.moving}
-        return any(e.free_symbols.isdisjoint(moving) and sign_of_value(e, b.conditions) == -1 for e in speeds)
+        sign = self._beginning.sign
+        return any(e.free_symbols.isdisjoint(moving) and sign(e, b.conditions) == -1 for e in speeds)
 
     def _after_turning(self, route: Route, used: Sequence[UsedIntegral]) -> Asked:
         """The answer where the motion comes to rest first and goes back, with friction or drag in the other sense."""

@@ -115,6 +115,13 @@ def _is_outside(q: sp.Symbol, state: SymbolValues, configuration: Configuration,
     return all(n > _TOLERANCE for n in numbers) if complement and numbers else any(n < -_TOLERANCE for n in numbers)
 
 
+def has_wrong_sign(b: AnswerBranch, parameter: sp.Symbol | None) -> bool:
+    """Whether a parameter that is adapted to the conditions would be negative, although it is positive."""
+    if parameter is None or not parameter.is_nonnegative or not b.states:
+        return False
+    return all(parameter in s and sign_of_value(s[parameter]) == -1 for s in b.states)
+
+
 def in_bounds(asked: Asked) -> Asked:
     """The answer where a parameter that is asked for lies between its bounds, an acute angle is acute.
 

@@ -235,7 +235,24 @@ class Path:
         return self._value(self.square, place)
 
     def _value(self, e: sp.Expr, place: sp.Expr) -> sp.Expr:
-        return e.xreplace({self.q: place})
+        value = e.xreplace({self.q: place})
+        if value == e or not place.free_symbols or count_operations(value) > LONGEST_INTEGRATED:
+            return value
+        return value.replace(lambda f: isinstance(f, sp.Abs) or (f.is_Pow and f.exp.is_Rational), self._without_root)
+
+    def _without_root(self, f: sp.Expr) -> sp.Expr:
+        """d (M² + m²)/(M − m) for √(d² (M² + m²)²/(M − m)²) where M > m; the same for a magnitude."""
+        if f.is_Pow and (f.exp.q != 2 or f.base.is_Atom):
+            return f
+        inside = sp.factor(f.base if f.is_Pow else f.args[0])
+        factors = [x.as_base_exp() for x in sp.Mul.make_args(inside)]
+        if f.is_Pow and not all(n.is_Integer and (n % 2 == 0 or b.is_positive) for b, n in factors):
+            return f
+        signs = [sign_of_value(b, self.known) for b, _ in factors]
+        if not {*signs} <= {1, -1}:
+            return f
+        half = f.exp if f.is_Pow else sp.S.One
+        return sp.Mul(*((s * b) ** (n * half) for s, (b, n) in zip(signs, factors, strict=True) if s is not None))
 
     def _sign(self, e: sp.Expr) -> int | None:
         number = self._number(e)  # first: signs of long expressions in letters take seconds

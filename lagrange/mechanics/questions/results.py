@@ -12,7 +12,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.records import record
 from lagrange.core.symbols import base
-from lagrange.problem.model import Measured, Question
+from lagrange.problem.model import Condition, Measured, Question
 
 
 class How(StrEnum):
@@ -42,6 +42,7 @@ class Route(StrEnum):
     ORBIT = "orbit"  # r as a function of the angle, round a centre
     NUMBERS = "numbers"  # numerical integration
     STABILITY = "stability"  # where an equilibrium that exists for every value of a parameter becomes unstable
+    IMPACT = "impact"  # the impulses of reactions in an impact
     REST = "rest"  # the balance of forces and the constraints, in a position of equilibrium
 
 
@@ -137,12 +138,14 @@ def one_value(values: Sequence[_Value]) -> _Value | None:
 class Substituted:
     """A quantity of a question in terms of positions and velocities: N = m g cos θ − m R θ'².
 
-    measured  an initial value that the file gives as a number with a unit
+    measured     an initial value that the file gives as a number with a unit
+    hides_units  whether a term of it had one
     """
 
     symbol: sp.Expr
     value: sp.Expr
     measured: Measured | None = None
+    hides_units: bool = False
 
 
 @record
@@ -169,7 +172,8 @@ class Asked:
     quantity    the same for the quantity
     branches    all that it may be; empty if it was not found
     dropped     branches that are not meant, with the reason
-    mirrored    whether the branches differ in the sense of the motion alone, and the initial state leaves that open
+    mirrored    whether the branches differ in the sense of the motion alone, and the initial state leaves that open,
+                or none is given
     solutions   coordinates as functions of time
     missing     initial values that are not given and would be needed
     orbit       1/r as a function of the angle
@@ -230,7 +234,8 @@ class Asked:
     @property
     def has_bare_numbers(self) -> bool:
         """Whether a condition or an initial value is a number that may hide a unit, `t = 2`."""
-        measured = [m for m in (*(c.measured for c in self.question.when), *(s.measured for s in self.initial)) if m]
+        stated: list[Condition | Substituted] = [*self.question.when, *self.initial]
+        measured = [s.measured for s in stated if s.measured]
         sides = [*(e for c in self.question.when for e in (c.lhs, c.rhs)), *(s.value for s in self.initial)]
-        has_unit = any(any(m.dimension) for m in measured)  # 300 rpm is 10π, and no angle
+        has_unit = any(any(m.dimension) for m in measured) or any(s.hides_units for s in stated)  # 300 rpm is 10π
         return has_unit or any(e.is_number and e != 0 and not (e / sp.pi).is_Rational for e in sides)

@@ -19,7 +19,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.expression_size import count_operations
-from lagrange.core.symbols import prime
+from lagrange.core.symbols import prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions.elimination import eliminated
@@ -63,6 +63,24 @@ class Setting:
     def values(self) -> SymbolValues:
         """Numbers for the parameters."""
         return {p.symbol: p.value for p in self.problem.parameters if p.value is not None}
+
+    @cached_property
+    def not_given(self) -> list[sp.Symbol]:
+        """The coordinates and velocities that have no value at t = 0."""
+        slots = self.place.configuration.slots
+        return [s for s in (*slots.coordinates, *slots.velocities) if s not in self.initial]
+
+    def has_numbers(self, about: Sequence[sp.Expr]) -> bool:
+        """Whether the motion, and some expressions, have numbers: it can be integrated numerically."""
+        known, moving = self.known.accelerations, {*self.place.moving} | self.values.keys()
+        expressions = [*known.values(), *self.initial.values(), *about]
+        complete = len(known) == len(self.place.configuration.slots.coordinates) and not self.not_given
+        return complete and all(e.free_symbols <= moving for e in expressions)
+
+    def is_of_state(self, quantity: sp.Expr, when: Sequence[sp.Expr]) -> bool:
+        """Whether a quantity does not depend on t, or a condition gives t: ω t = 60° of a crank."""
+        moving = {*self.place.moving}
+        return t not in quantity.free_symbols or any(e.free_symbols & moving == {t} for e in when)
 
     @cached_property
     def slips(self) -> list[sp.Expr]:

@@ -74,7 +74,10 @@ def _positive(root: TimeRoot) -> TimeRoot | None:
     if sign in (0, -1):
         return None
     if sign is None:
-        condition = _positive_logarithm(root.value) or more_than_zero(root.value)
+        excess = _excess_in_logarithm(root.value)
+        if sign_of(excess) in (0, -1):
+            return None
+        condition = more_than_zero(excess)
         if condition not in root.conditions:
             return TimeRoot(root.value, (*root.conditions, condition))
     return root
@@ -111,19 +114,16 @@ def _without_square_roots(value: sp.Expr) -> sp.Expr:
     return -sp.I * rest * (-2 * negative[0].exp) if len(negative) == 1 else value
 
 
-def _positive_logarithm(value: sp.Expr) -> SignCondition | None:
-    """E > 1 for c log E > 0, where c has a sign."""
+def _excess_in_logarithm(value: sp.Expr) -> sp.Expr:
+    """What has the sign of a value: E − 1 for c log E, where c has a sign; the value itself for any other."""
     logs = list(value.atoms(sp.log))
-    if len(logs) != 1:
-        return None
-    share = value / logs[0]
+    share = value / logs[0] if len(logs) == 1 else sp.S.Zero
     sign = None if share.has(sp.log) else sign_of(share)
     if sign not in (1, -1):
-        return None
+        return value
     above, below = sp.fraction(sp.together(logs[0].args[0]))
-    if sign_of(below) != 1:
-        return None
-    return more_than_zero(sign * (above - below))
+    excess = sign * sp.factor(above - below)
+    return excess if sign_of(below) == 1 else excess / below
 
 
 def _without_logarithm(e: sp.Expr) -> list[TimeRoot] | None:
@@ -231,6 +231,8 @@ def _of_exponentials(e: sp.Expr) -> list[TimeRoot] | None:
             return None
         rate = exponent.diff(t)
         shares[rate] = shares.get(rate, sp.S.Zero) + share
+    if not any(shares):  # the exponentials cancel, as in cosh² − sinh²
+        return [] if is_zero(e) is False else None
     for base in dict.fromkeys((sp.S.Zero, *shares)):
         rates = {r: sp.expand(r - base) for r in shares}
         first = min((r for r in rates.values() if r != 0), key=lambda r: (count_operations(r), str(r)))
@@ -257,7 +259,8 @@ def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list
                 continue
             below = () if sign == 1 else (more_than_zero(v.value),)
             conditions = tuple(dict.fromkeys((*v.conditions, *below)))
-            roots.append(TimeRoot(with_whole_logarithms(factored_quotient, sp.log(v.value) / rate), conditions))
+            time = with_whole_logarithms(factored_quotient, _logarithm(v.value) / rate)
+            roots.append(TimeRoot(time, conditions))
         if len(values) == 2 and len(roots) == 2 and is_zero(values[0].value * values[1].value - 1):
             larger = sign_of_value(values[0].value - values[1].value)
             rising = sign_of(rate)
@@ -265,6 +268,19 @@ def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list
                 kept = roots[0] if larger == rising else roots[1]
                 roots = [TimeRoot(kept.value, kept.conditions, certain=True)]
     return roots
+
+
+def _logarithm(value: sp.Expr) -> sp.Expr:
+    """The logarithm of a positive value; log(a/b)/2 for that of √a/√b, where a and b may both be negative."""
+    above, below = ([f.base for f in sp.Mul.make_args(part) if f.is_Pow and f.exp == sp.S.Half]
+                    for part in sp.fraction(value))  # fmt: skip
+    if not any(e.is_Add for e in above) or not any(e.is_Add for e in below):
+        return sp.log(value)
+    letters = {s: sp.Dummy(s.name, positive=True) for s in value.free_symbols if s.is_positive}  # √c is a letter
+    back = {letter: sp.sqrt(s) for s, letter in letters.items()}
+    square = sp.factor(sp.cancel(sp.together((value**2).xreplace({s: letter**2 for s, letter in letters.items()}))))
+    square = square.xreplace(back)
+    return sp.log(value) if square.has(*(sp.sqrt(e) for e in (*above, *below) if e.is_Add)) else sp.log(square) / 2
 
 
 def fades(e: sp.Expr) -> bool:

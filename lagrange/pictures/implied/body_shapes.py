@@ -32,6 +32,7 @@ from lagrange.problem.model import BodyShape, Friction
 _ROUND = {sp.Rational(1, 2): Outline.DISC, sp.Rational(2, 5): Outline.SPHERE, sp.Rational(2, 3): Outline.SPHERE}
 _HALF_LENGTH = {sp.Rational(1, 3): sp.Integer(1), sp.Rational(1, 12): sp.Rational(1, 2)}
 _RING = re.compile(r"hoop|\bring\b|\brim\b|wheel", re.IGNORECASE)
+_SHELL = re.compile(r"\b(drum|pipe|tube|cylinder)s?\b", re.IGNORECASE)
 _TOP = re.compile(r"\btops?\b|gyroscope|spinning", re.IGNORECASE)
 _ROTOR = re.compile(r"disc|disk|wheel|rotor", re.IGNORECASE)
 _PULLEY = re.compile(r"\b(pulley|drum|wheel|winch|capstan|cylinder|disc|disk)s?\b", re.IGNORECASE)
@@ -108,7 +109,7 @@ def _plane(system: SystemPicture, p: MassPoint) -> BodyShape | None:
     number, length = known
     if number in _ROUND:
         return BodyShape(_ROUND[number], (length,))
-    if number == 1 and _RING.search(system.text):
+    if number == 1 and (_RING.search(system.text) or _SHELL.search(called)):
         return BodyShape(Outline.RING, (length,))
     if number not in _HALF_LENGTH:
         return None
@@ -312,7 +313,7 @@ _FIFTHS = sp.Rational(2, 5)
 
 
 def _distance_on_axis(system: SystemPicture, p: MassPoint, rotation: Rotation, axis: int) -> float | None:
-    """The distance of the mass centre from O, if O lies on its axis in all positions, on the side from which the axis comes."""
+    """The distance of the mass centre from O, if its axis leads from O to it in all positions."""
     distances = [*_distances(system, p, rotation, axis)]
     if len(distances) < 3 or max(distances) - min(distances) > SAME_ON_PAGE or distances[0] < SAME_ON_PAGE:
         return None

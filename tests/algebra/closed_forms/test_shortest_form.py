@@ -5,7 +5,12 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.algebra.closed_forms.shortest_form import shortest_form, with_whole_contents, without_leading_minus
+from lagrange.algebra.closed_forms.shortest_form import (
+    by_stated_root,
+    shortest_form,
+    with_whole_contents,
+    without_leading_minus,
+)
 
 alpha = sp.Symbol("alpha", real=True)
 a, b, c = sp.symbols("a b c", positive=True)
@@ -55,3 +60,22 @@ def test_common_numbers_stand_before_a_product() -> None:
     assert str(with_whole_contents(2 * a * (2 - 2 * b / c))) == "4*a*(-b/c + 1)"
     assert with_whole_contents(12 * b / (18 + 6 * c)) == 2 * b / (3 + c)
     assert with_whole_contents(2 * a + 2) == 2 * a + 2
+
+
+def test_roots_by_the_cosine_of_which_a_power_is_stated() -> None:
+    a, b, length = sp.symbols("a b l", positive=True)
+    theta, third = sp.Symbol("theta", real=True), sp.Rational(1, 3)
+    cosine = sp.cos(theta)
+    stated, value = cosine**3, 2 * a / length
+    for e, by_cosine in [
+        ((2 * a) ** third * length ** (2 * third) / 2, length * cosine / 2),
+        (b * (length / (2 * a)) ** third, b / cosine),
+        (b * (2 * a / length) ** (2 * third) + b, b * cosine**2 + b),
+    ]:
+        form = by_stated_root(e, stated, value)
+        assert sp.expand(form - by_cosine) == 0
+        assert sp.simplify(form.xreplace({cosine: value**third}) - e) == 0
+    for e in (b * sp.sqrt(a), b * b**third, b * a):
+        assert by_stated_root(e, stated, value) == e, "other roots, and none"
+    root = sp.sqrt(a) * b
+    assert by_stated_root(root, cosine**2, a) == root, "the sign of the cosine is open"

@@ -127,6 +127,18 @@ def test_conditions_that_always_hold() -> None:
     assert not always_holds(SignCondition(a, "≥", b))
 
 
+def test_square_roots_on_both_sides_are_squared() -> None:
+    [condition] = not_negative(sp.sqrt(a) - sp.sqrt(2) * sp.sqrt(c)) or ()
+    assert (condition.lhs, condition.relation, condition.rhs) == (a, "≥", 2 * c)
+    assert not_negative(sp.sqrt(a) - sp.sqrt(2) * sp.sqrt(c), [a - 2 * c]) == (), "known of the roots, too"
+
+
+def test_a_known_sum_and_what_is_never_negative() -> None:
+    assert sign_of(a - 2 * c + 3 * a * sp.sin(x) ** 2, [a - 2 * c]) == 1
+    assert sign_of(2 * c - a - 3 * a * sp.sin(x) ** 2, [a - 2 * c]) == -1
+    assert sign_of(a - 2 * c - 3 * a * sp.sin(x) ** 2, [a - 2 * c]) is None
+
+
 def test_what_is_not_zero_is_said_without_the_root() -> None:
     """16r² − a² − a √(a² + 32r²) vanishes for a = 2r, and on both sides of it has another sign."""
     a, r = sp.symbols("a r", positive=True)

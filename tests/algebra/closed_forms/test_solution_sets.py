@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.solution_sets import Branch, plain_sides
 from tests.support.found_solutions import ALPHA, POSITIVE
 
 ANGLES = {n: sp.Symbol(n, real=True) for n in ["theta", "phi", "psi"]}
@@ -104,3 +105,31 @@ def test_branches_within_others_are_dropped_with_what_is_left() -> None:
 
 def symbols_of(names: str) -> list[sp.Symbol]:
     return [NAMES[n] for n in names.split()]
+
+
+def test_sides_of_a_relation_between_positive_letters() -> None:
+    h, r, x = sp.Symbol("h", positive=True), sp.Symbol("r", positive=True), sp.Symbol("x", real=True)
+    assert plain_sides(3 * r**2 - h**2) == (h, sp.sqrt(3) * r)
+    assert plain_sides(r**2 - x**2) == (r**2, x**2), "x may be negative"
+    assert plain_sides(r**2 - 2 * h) == (r**2, 2 * h)
+    assert plain_sides(r**2 + h**2 - 4 * x) == (r**2 + h**2, 4 * x)
+
+
+def test_an_equation_between_two_angles_that_is_left_is_stated_by_their_tangents() -> None:
+    a, b = ANGLES["theta"], ANGLES["phi"]
+    length, c, w, q = sp.symbols("l c W Q", positive=True)
+    closed = length * sp.cos(a) + length * sp.cos(b) - c
+
+    def stated(e: sp.Expr, *others: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        relation = Branch((), left=(*others, e)).equations[-1]
+        return relation.lhs, relation.rhs
+
+    chain = 3 * sp.cos(a) * sp.sin(b) - sp.sin(a) * sp.cos(b)
+    assert stated(chain, closed) == (sp.tan(a), 3 * sp.tan(b))
+    assert stated(chain.xreplace({a: b, b: a}), closed) == (sp.tan(b), 3 * sp.tan(a))
+    weighted = (w + 2 * q) * sp.sin(a) * sp.cos(b) - q * sp.cos(a) * sp.sin(b)
+    assert stated(sp.expand(weighted), closed) == (sp.tan(b), (w + 2 * q) / q * sp.tan(a))
+    assert stated(chain) == (chain, 0), "both cosines may vanish"
+    assert stated(sp.cos(a) * sp.cos(b) - sp.sin(a) * sp.sin(b), closed)[1] == 0
+    difference = (w - q) * sp.sin(a) * sp.cos(b) - q * sp.cos(a) * sp.sin(b)
+    assert stated(difference, closed) == (difference, 0), "the coefficient may vanish"

@@ -153,3 +153,17 @@ def test_one_of_two_cases_is_incomplete(problem: Read, stated: str, verdict: str
 )
 def test_cases_of_rest(problem: Read, text: str, answer: str, verdict: str) -> None:
     assert check_answer(problem(text), (Fragment.of(answer),)).verdict.value == verdict
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        (r"F \le \min\left\{\mu_1mg,\ \mu_2(m + M)g\right\}", "equivalent"),
+        (r"F \le \min\{\mu_1mg, \mu_2Mg\}", "wrong"),
+        ("F <= mu_1*m*g und F <= mu_2*(m + M)*g", "equivalent"),
+        ("F <= mu_1*m*g et F <= mu_2*M*g", "wrong"),
+        ("F ≤ mu_1*m*g; kein Rutschen unten: F ≤ mu_2*(m + M)*g", "equivalent"),
+    ],
+)
+def test_minima_in_braces_and_conjunctions(problem: Read, answer: str, verdict: str) -> None:
+    assert check_answer(problem(STACKED), (Fragment.of(answer),)).verdict.value == verdict

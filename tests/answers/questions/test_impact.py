@@ -10,7 +10,10 @@ import pytest
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.questions.impact import with_losses
 from lagrange.answers.verdicts import Verdict
-from lagrange.core.diagnostics import Fragment
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
+from lagrange.problem.stated_answers import read_answers
 from tests.answers.questions.test_response import DAMPED, judged
 from tests.support.shared import loaded, solved
 
@@ -74,3 +77,30 @@ def test_verdicts_on_a_text(name: str, lines: list[str], verdict: str) -> None:
 def test_lines_that_state_the_energy_lost() -> None:
     lines = ["E_lost = m*v^2/4", "x' = v/2"]
     assert [lost for _, lost in with_losses([Fragment.of(t) for t in lines])] == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("key", "stated", "verdict"),
+    [
+        ("x'", "1.5 m/s", Verdict.EQUIVALENT),
+        ("x'", "150 cm/s", Verdict.EQUIVALENT),
+        ("x'", "x' = 1.5", Verdict.EQUIVALENT),
+        ("x'", "1.5 m", Verdict.WRONG),
+        ("x'", "2.5 m/s", Verdict.WRONG),
+        ("P", "4.5 N s", Verdict.EQUIVALENT),
+        ("energy_lost", "6.75 J", Verdict.EQUIVALENT),
+    ],
+)
+def test_results_with_units_where_letters_of_units_are_masses(key: str, stated: str, verdict: Verdict) -> None:
+    """3 m/s shared by two equal masses of 3 kg, of which the second is called s."""
+    problem = read_problem(
+        Source(
+            "cars.yaml",
+            "title: Cars\ncoordinates: [x, y]\nparameters: {m: 3 kg, s: 3 kg, v: 3 m/s}\nfind: impact\n"
+            "particles: {A: {mass: m, position: x*i}, B: {mass: s, position: y*i}}\n"
+            "impact:\n  before: {x: 0, x': v, y: 0, y': 0}\n  constraints: {lock: {equation: y >= x, reaction: P}}\n",
+        )
+    )
+    answers = read_answers(Source("answers", f'impact: {{"{key}": "{stated}"}}\n'), problem)
+    [verdicts] = Examiner(problem, solve(problem)).check_answers(answers).others
+    assert verdicts.verdict is verdict

@@ -63,3 +63,38 @@ find: [motion, steady]
 """
     judged = Examiner.of(read_problem(Source("problem.yaml", central))).check((Fragment.of("m*r^2*phi' = const"),))
     assert judged.verdict.value == "incomplete"  # it holds in every motion, and does not replace the equations
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        ("theta' = m*v/((M + m)*l)", "incomplete"),
+        ("theta' = m*v/((M + m)*l); cos(theta) = 1 - m^2*v^2/(2*(M + m)^2*g*l)", "equivalent"),
+        ("v_G' = m*v/(M + m)", "incomplete"),
+    ],
+)
+def test_an_impact_leaves_the_question_after_it_open(text: str, verdict: str) -> None:
+    examiner = Examiner(loaded("ballistic-pendulum"), solved("ballistic-pendulum"))
+    assert examiner.check((Fragment.of(text),)).verdict.value == verdict
+
+
+@pytest.mark.parametrize(("term", "verdict"), [("2*g/l", "equivalent"), ("g/l", "wrong")])
+def test_linearized_equations_beside_frequencies_are_judged(term: str, verdict: str) -> None:
+    name = "double-pendulum-small-oscillations"
+    text = f"Linearised: 2 θ1'' + θ2'' + {term} θ1 = 0, θ1'' + θ2'' + g/l θ2 = 0\nω² = (2 ± √2) g/l\nmodes: θ2/θ1 = ±±2"
+    judged = Examiner(loaded(name), solved(name)).check((Fragment.of(text),))
+    assert judged.verdict.value == verdict
+    assert len(judged.messages) > 0  # the last line cannot be read
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        ("steady: theta' = 0, theta'' = 0, phi' = sqrt(g/(l*cos(theta)))", "equivalent"),
+        ("steady: theta' = 0, phi' = sqrt(g*cos(theta)/l)", "wrong"),
+        ("phi'' = 0, cos(theta) = g/(l*phi'^2)", "equivalent"),
+    ],
+)
+def test_what_only_says_that_a_motion_is_steady(text: str, verdict: str) -> None:
+    examiner = Examiner(loaded("conical-pendulum"), solved("conical-pendulum"))
+    assert examiner.check((Fragment.of(text),)).verdict.value == verdict

@@ -9,12 +9,14 @@ from types import SimpleNamespace
 
 import pytest
 
+from lagrange.answers.examiner import Examiner
 from lagrange.answers.questions import linear_equations as answers_about
 from lagrange.answers.questions.linear_equations import check_linearized
+from lagrange.answers.submissions import Grader, Submission
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment
 from tests.mechanics.nearby.test_linear_motion import bicycle, published
-from tests.support.shared import solved
+from tests.support.shared import loaded, solved
 
 
 @pytest.mark.parametrize(
@@ -61,3 +63,25 @@ def test_coupled_pendulums(second: str, verdict: Verdict) -> None:
 
 def test_equations_that_are_not_marked_are_those_of_the_motion() -> None:
     assert check_linearized([Fragment.of(FIRST)], solved("coupled-pendulums")) is None
+
+
+SECOND = "m*l*theta2'' + m*g*theta2 + c*l*(theta2 - theta1) = 0"
+
+
+@pytest.mark.parametrize(
+    ("lines", "verdict"),
+    [
+        ([f"For small angles: {FIRST}", SECOND], Verdict.EQUIVALENT),
+        ([f"For small angles: {FIRST}", SECOND, "frequencies: sqrt(g/l), sqrt(g/l + 2*c/m)"], Verdict.EQUIVALENT),
+        (
+            [f"For small angles: {FIRST}", SECOND.replace("c*l", "2*c*l"), "frequencies: sqrt(g/l), sqrt(g/l + 2*c/m)"],
+            Verdict.WRONG,
+        ),
+        ([FIRST, f"For small angles: {SECOND}"], Verdict.WRONG),
+    ],
+)
+def test_a_mark_before_the_first_equation_counts_for_all_that_follow(lines: list[str], verdict: Verdict) -> None:
+    problem = "coupled-pendulums"
+    grader = Grader.of(Examiner(loaded(problem), solved(problem)))
+    graded = grader.grade(Submission("x", (("answer.txt", "\n".join(lines).encode()),)))
+    assert graded.verdict is verdict

@@ -11,6 +11,8 @@ from lagrange.answers.examiner import Examiner
 from lagrange.answers.questions.response import without_hats
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, Source
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
 from lagrange.problem.stated_answers import read_answers
 from tests.support.shared import SHIPPED, loaded, reported, solved
 
@@ -64,3 +66,32 @@ def test_verdicts_on_a_text(name: str, lines: list[str], verdict: str) -> None:
 def test_a_hat_is_an_amplitude_here() -> None:
     assert without_hats(Fragment.of(r"\hat{x} = F/c")).text == r"x_{max} = F/c"
     assert without_hats(Fragment.of("x = F/c")).text == "x = F/c"
+
+
+@pytest.mark.parametrize(
+    ("amplitude", "verdict", "why"),
+    [
+        ("82.66 mm", Verdict.EQUIVALENT, ""),
+        ("A = 8.266 cm", Verdict.EQUIVALENT, ""),
+        ("0.08266", Verdict.EQUIVALENT, ""),
+        ("8.3 mm", Verdict.WRONG, ""),
+        ("82.66 kg", Verdict.WRONG, "its unit is not one of what is asked for"),
+    ],
+)
+def test_an_amplitude_with_its_unit_where_a_letter_of_the_unit_is_a_mass(
+    amplitude: str, verdict: Verdict, why: str
+) -> None:
+    problem = read_problem(
+        Source(
+            "trailer.yaml",
+            "title: Trailer\naxes: {j: up}\ncoordinates: [y]\nfind: response\n"
+            "parameters: {m: 500 kg, k: 60 kN/m, c: 2 kN s/m, d: 40 mm, w: 12.566370614 rad/s}\n"
+            "particles: {trailer: {mass: m, position: y*j}}\n"
+            "forces:\n  spring: {potential: k*(y - d*sin(w*t))^2/2}\n"
+            '  shock: {on: trailer, vector: "-c*(y\' - d*w*cos(w*t))*j"}\n',
+        )
+    )
+    answers = read_answers(Source("answers", f"response: {{y: {amplitude}}}\n"), problem)
+    [verdicts] = Examiner(problem, solve(problem)).check_answers(answers).others
+    assert verdicts.verdict is verdict
+    assert verdicts.equations[0].diagnosis == why

@@ -26,6 +26,21 @@ def test_forms_of_a_pendulum(text: str, verdict: str) -> None:
     assert examiner.check((Fragment.of(text),)).verdict.value == verdict
 
 
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        ("x - x0 = R*(phi - phi0)", "equivalent"),
+        ("x = R*phi + x_0 - R*phi_0", "equivalent"),
+        ("x - x0 = 2*R*(phi - phi0)", "wrong"),
+        ("x + x0 = R*(phi + phi0)", "unreadable"),  # it does not hold at the start
+        ("x - x0 = R*phi*phi0 - R*phi0^2", "unreadable"),
+    ],
+)
+def test_constants_of_integration_are_initial_values(text: str, verdict: str) -> None:
+    examiner = Examiner(loaded("wheel-on-a-line"), solved("wheel-on-a-line"))
+    assert examiner.check((Fragment.of(text),)).verdict.value == verdict
+
+
 # In words
 
 

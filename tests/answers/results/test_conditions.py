@@ -72,6 +72,7 @@ def test_nothing_is_said_of_a_condition_that_no_change_explains() -> None:
 
 
 WRONG_CONTACTS: list[Row] = [
+    (LADDER, "rest", ["tan(theta) <= mu"], "for `weight` acting at twice the distance from where the friction `below`"),
     ("cylinder-in-a-corner", "equilibrium", [["M = mu*W*r"]], "this is the limit without the friction `rub_B`"),
 ]
 
@@ -115,6 +116,12 @@ def test_the_exponential_is_solved_for_the_coefficient() -> None:
 
 
 WRONG_LIMITS: list[Row] = [
+    (
+        "band-brake",
+        "equilibrium",
+        [["P = M*a*exp(mu*beta)/(r*l*(exp(mu*beta) - 1))", "T_1 = M/(r*(exp(mu*beta) - 1))"]],
+        "the tension of the tight side of the belt stands where that of the slack side belongs",
+    ),
     ("band-brake", "equilibrium", ["P = M*a/(r*l*mu)"], "a friction mu times the tension, as of a block"),
     ("band-brake", "equilibrium", ["P = M*a/(r*l*exp(mu*beta))"], "without the tension of the slack side on the drum"),
     (

@@ -27,6 +27,21 @@ def test_one_change_is_named(stated: str, said: str) -> None:
     assert any(said in line for line in details), details
 
 
+@pytest.mark.parametrize(
+    ("problem", "stated", "said"),
+    [
+        ("two-wheels-on-an-axle", "x'*cos(theta) + y'*sin(theta) = R*phi1'", "the term b*theta' is missing"),
+        ("two-wheels-on-an-axle", "dx*cos(theta) + dy*sin(theta) = R*dphi1", "the term b*d(theta) is missing"),
+        ("two-wheels-on-an-axle", "b*theta = R*(phi1 - phi2)", "2*b*theta in place of b*theta"),
+        ("differential-hoist", "y' = R*phi'", "the term a*psi' is missing"),
+    ],
+)
+def test_a_missing_term_or_a_factor_of_an_integral_is_named(problem: str, stated: str, said: str) -> None:
+    verdict, details = verdict_on(problem, ".txt", stated)
+    assert verdict == "wrong"
+    assert any(said in line for line in details), details
+
+
 # Counting
 
 

@@ -28,3 +28,18 @@ def test_an_equation_that_is_true_at_no_equilibrium_is_wrong(problem: str, right
 def test_one_of_many_positions_is_no_contradiction() -> None:
     whole, *each = verdicts("triatomic-molecule", "x2 = x1 + b", "x3 = x2 + b")
     assert (whole, "wrong" in each) == ("equivalent", False)
+
+
+@pytest.mark.parametrize(
+    ("equation", "verdict"),
+    [
+        ("c*b^2*sin(theta) = W*l*sin(theta)", "wrong"),
+        ("2*W*l*sin(theta) = c*b^2*sin(theta)", "wrong"),
+        ("(b + l)*sin(theta) = 0", "incomplete"),
+        ("sin(theta) = 0", "incomplete"),
+        ("(c*b^2*cos(theta) - W*l)*sin(theta) = 0", "equivalent"),
+    ],
+)
+def test_a_factor_of_parameters_alone_is_no_condition_of_equilibrium(equation: str, verdict: str) -> None:
+    """c b² = W l would let it rest at every inclination, and it does not."""
+    assert verdicts("inverted-pendulum-springs", equation)[0] == verdict

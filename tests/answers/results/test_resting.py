@@ -20,6 +20,12 @@ WRONG: list[Row] = [
     ("beads-on-hoop", "equilibrium", ["tan(theta/2) = (m_1 - m_2)/(m_1 + m_2)*tan(beta)"], "theta/2 in place of theta"),
     ("three-weights", "equilibrium", ["2*P*b/sqrt(b^2 + y^2) = W"], "y and b exchanged, the two legs"),
     ("three-weights", "equilibrium", ["y = b*sqrt(4*P^2 - W^2)/W"], "the other way round"),
+    (
+        "slider-crank",
+        "equilibrium",
+        ["P*l*sin(theta) = Q*(x - r*cos(theta))"],
+        "with the contribution of the force `turning` multiplied by x/l",
+    ),
     ("lazy-tongs", "equilibrium", ["P*tan(theta) = W"], "the displacement of `foot` 3 times as large as it is"),
     ("masses-on-springs", "equilibrium", ["c_1*x_1 = m_1*g", "x_2 = m_2*g/c_2"], "without the weight of `B` in the"),
     (

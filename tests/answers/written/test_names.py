@@ -69,6 +69,22 @@ def test_the_reaction_of_the_rod_is_t() -> None:
     }
 
 
+def test_other_names_of_the_only_tension() -> None:
+    pendulum = reference_of("ex11-ideal-pendulum")
+    names = [printed_names(pendulum, [text]) for text in ("S = m*g*y/l", "F_T = 2", "F_x = 2", "S + 1 = 2", "m = S")]
+    assert [sorted({*n} - {"T", "lambda"}) for n in names] == [["S"], ["F_T"], [], [], []]
+    force, length = (pendulum.scope.scalars[p] for p in ("m", "l"))
+    assert may_be_force("S", force * pendulum.scope.scalars["g"], [], pendulum)
+    assert not may_be_force("S", length, [], pendulum)  # an arc
+
+
+def test_friction_is_not_the_normal_force() -> None:
+    incline = reference_of("ex15-rough-incline")
+    assert "R" in printed_names(incline, ["R = m*g*cos(alpha)", "m*x'' = -mu*R"])
+    assert "R" not in printed_names(incline, ["R = mu*N", "N = m*g*cos(alpha)"])
+    assert "R" not in printed_names(incline, ["R = mu*m*g"], "Reibkraft R = mu*m*g")
+
+
 def test_a_name_by_itself() -> None:
     assert lines_with("T", ["T = m g", "T_rod = 0", "mT", "2 T + 1"]) == [0, 3]
     assert lines_with("theta", [r"\\theta = 0", "θ = 0", "theta_1 = 0"]) == [0, 1]

@@ -213,3 +213,20 @@ find: linearization
 """)
     for n in (1, 2, 3):
         assert f"≈ {2 * math.sqrt(600) * math.sin((2 * n - 1) * math.pi / 14):.2f} rad/s" in head
+
+
+GYROCOMPASS = """title: Gyrocompass
+parameters: {A: positive, C: positive, W: positive, beta: acute}
+coordinates: [phi, psi]
+lagrangian: "A/2*(phi' + W*sin(beta))^2 + A/2*(W*cos(beta)*sin(phi))^2 + C/2*(psi' + W*cos(beta)*cos(phi))^2"
+find: [motion, steady]
+"""
+
+
+def test_frequencies_about_several_steady_motions_that_are_places() -> None:
+    """The axis points north or south: A w^2 = W cos(beta) (C psi' + (C - A) W cos(beta)) about the north."""
+    explained = report(lagrange.loads(GYROCOMPASS))
+    page = terminal.text(explained.derivation, explained.notation, 100).split("The system")[0]
+    assert "ω² = (W/A) cos β [C ψ̇ − W (A − C) cos β]    of small oscillations about φ = 0" in page
+    assert "about φ = π" in page
+    assert page.count("of small oscillations about") == 2

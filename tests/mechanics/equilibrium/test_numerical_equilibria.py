@@ -151,6 +151,46 @@ def test_without_values_nothing_is_searched() -> None:
     assert "equilibrium_searched" not in as_object(result)
 
 
+OVER_A_CYLINDER = """title: Rod over a cylinder
+axes: {i: right, j: up}
+parameters: {W: N, a: {value: 0.5 m}, r: {value: 0.2 m}}
+coordinates: {theta: {range: [0, 89 deg]}}
+particles: {G: {position: a*cos(theta)*i + (r/cos(theta) - a*sin(theta))*j}}
+forces: {weight: {on: G, vector: -W*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        OVER_A_CYLINDER,
+        OVER_A_CYLINDER.replace("{theta: {range: [0, 89 deg]}}", "{theta: {range: [0, 89 deg]}, y: {}}")
+        .replace("r/cos(theta)", "y")
+        .replace("forces:", "constraints: {touch: y*cos(theta) = r}\nforces:"),
+    ],
+)
+def test_a_load_without_a_value_changes_no_position(text: str) -> None:
+    """r sin θ = a cos³ θ, whatever W is."""
+    [place] = positions(reported(text))
+    at = place["coordinates"]["theta"]["number"]
+    assert 0.2 * math.sin(at) == pytest.approx(0.5 * math.cos(at) ** 3)
+    assert place["stability"] == "stable"
+
+
+def test_a_load_without_a_value_beside_another_force_is_no_reason_to_leave_a_place_out() -> None:
+    text = OVER_A_CYLINDER.replace("W: N,", "W: N, F: N,").replace(
+        "coordinates: {", "coordinates: {phi: {range: [-30 deg, 30 deg]}, "
+    ).replace("forces: {", "forces: {field: {potential: -F*cos(phi)}, ")  # fmt: skip
+    result = reported(text)
+    [place] = positions(result)
+    assert place["coordinates"]["theta"]["number"] == pytest.approx(0.83961, abs=1e-5)
+    assert place["coordinates"]["phi"]["number"] == 0
+    equilibrium = result.solution.own.equilibrium
+    assert equilibrium is not None
+    assert len(equilibrium.branches) == 1, "φ = π is outside of the range, although θ is not found in closed form"
+
+
 def test_conditions_without_parameters() -> None:
     result = reported("""title: t
 coordinates: [x]

@@ -303,3 +303,20 @@ def test_what_keeps_a_sine_from_vanishing_is_stated_in_parameters() -> None:
     assert found.own.stability is not None
     [stability] = found.own.stability.verdicts
     assert [(str(c.lhs), c.relation, str(c.rhs)) for c in stability.presupposed] == [("2*R", ">", "a")]
+
+
+def test_an_equilibrium_beside_equations_that_are_not_solved() -> None:
+    """Three links on top of each other, with springs at the joints: K = [c − 2P/l, P/l; P/l, c − 2P/l]."""
+    column = read("""title: Column of three links
+parameters: [P, l, c]
+coordinates: [x, y]
+particles: {top: {position: (sqrt(l^2 - x^2) + sqrt(l^2 - (y - x)^2) + sqrt(l^2 - y^2))*j}}
+forces: {load: {on: top, vector: -P*j}, springs: {potential: c*(x^2 + y^2)/2}}
+find: equilibrium
+""")
+    stability = solve(column).own.stability
+    assert stability is not None
+    assert [s.verdict for s in stability.verdicts] == [Stable.CONDITIONAL, Stable.UNDECIDED]
+    [condition] = stability.verdicts[0].conditions
+    load, length, stiffness = symbols("P l c", positive=True)
+    assert (condition.lhs, condition.relation, condition.rhs) == (load, "<", stiffness * length / 3)

@@ -382,3 +382,84 @@ def test_a_triangle_that_the_constraints_hold(bar: str) -> None:
         values = {k: float(sp.parse_expr(v.replace("^", "**")).subs(sizes)) for k, v in forces.items()}
         expected = {"AC": -10 / (2 * sine), "BC": -10 / (2 * sine), "AB": 10 * cosine / (2 * sine)}
         assert values == pytest.approx({k: above * v for k, v in expected.items()})
+
+
+# V = m g y with y = (x − a) tan θ, x = l cos θ/2 has V' = 0 where cos³ θ = 2a/l; N_A = m g tan θ, N_B = m g/cos θ.
+ROD_OVER_PEG = """title: Rod between a smooth wall and a smooth peg
+parameters: {m: positive, g: positive, l: positive, a: positive}
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  wall: {equation: x - l/2*cos(theta) >= 0, reaction: N_A}
+  peg: {equation: y*cos(theta) - (x - a)*sin(theta) >= 0, reaction: N_B}
+gravity: -g*j
+find: [equilibrium]
+"""
+# V = k (l cos θ)²/2 + m g l sin θ/2; the wall presses with N_B = k l cos θ. V'' = −k l² cos² θ where sin θ = m g/(2k l).
+HELD_LADDER = """title: Ladder held by a spring at its foot
+parameters: {m: positive, g: positive, l: positive, k: positive}
+coordinates: [x, y, theta]
+bodies: {ladder: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  floor: {equation: y - l/2*sin(theta) >= 0, reaction: N_A}
+  wall: {equation: x + l/2*cos(theta) <= 0, reaction: N_B}
+forces:
+  spring: {spring: k, between: [0, x*i + y*j - l/2*cos(theta)*i - l/2*sin(theta)*j], length: 0}
+gravity: -g*j
+find: [equilibrium]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "contact", "slack", "said"),
+    [
+        (ROD_OVER_PEG, {"wall": "sin(theta) ≥ 0"}, "sin(theta)", "in contact where sin θ ≥ 0; unstable where l > 2a"),
+        (HELD_LADDER, {"wall": "cos(theta) ≥ 0"}, "cos(theta)", "in contact where cos θ ≥ 0; unstable where"),
+    ],
+)
+def test_a_contact_that_may_pull_is_a_condition(text: str, contact: dict[str, str], slack: str, said: str) -> None:
+    found = report(read_problem(Source("x.yaml", text)))
+    view = found.solution.own
+    assert found.shortcomings == ()
+    assert view.reactions_at_rest is not None
+    assert view.equilibrium is not None
+    there = view.reactions_at_rest.at[-1]
+    assert there is not None
+    assert {name: f"{c.lhs} {c.relation} {c.rhs}" for name, c in there.contact.items()} == contact
+    [pulled] = view.equilibrium.slack
+    [place] = pulled.points
+    value = view.equilibrium.solution.at(place, sp.sympify(slack, locals={"theta": sp.Symbol("theta", real=True)}))
+    numbers = {s: {"a": 1, "l": 3, "m": 1, "g": 1, "k": 1}[s.name] for s in value.free_symbols}
+    assert value.xreplace(numbers).evalf() < 0
+    assert said in " ".join(as_text(found.derivation, found.notation, 200).split())
+
+
+def test_the_second_derivative_is_written_by_the_sine_that_is_known() -> None:
+    """−½ k l² (1 + cos² θ) + m² g²/(8k) is −k l² cos² θ there: unstable, without a condition on θ."""
+    found = report(read_problem(Source("x.yaml", HELD_LADDER)))
+    page = " ".join(as_text(found.derivation, found.notation, 200).split())
+    assert "(m g − 2k l) (m g + 2k l)/(4k), negative where 2k l > m g: unstable" in page
+    assert "One degree of freedom; the equilibria: " in page
+
+
+def test_reactions_are_written_by_the_cosine_that_is_stated() -> None:
+    """A rod on a smooth wall and over a smooth peg: cos³ θ = 2a/l, N_A = m g tan θ and N_B = m g/cos θ by Lami."""
+    text = """title: Rod on a wall and a peg
+axes: {i: right, j: up}
+parameters: [m, g, l, a]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  wall: {equation: x - l/2*cos(theta) >= 0, reaction: N_A}
+  peg: {equation: y*cos(theta) - (x - a)*sin(theta) >= 0, reaction: N_B}
+gravity: -g*j
+find: [equilibrium]
+"""
+    result = report(read_problem(Source("p.yaml", text)))
+    page = " ".join(as_text(result.derivation, result.notation, 300).split())
+    assert "x = ½ l cos θ" in page
+    assert "y = ½ l sin θ − a tan θ" in page
+    assert "N_A = m g tan θ" in page
+    assert "N_B = m g/cos θ" in page
+    assert "in contact where sin θ ≥ 0; unstable where l > 2a" in page
+    assert "because N_B is positive" in page

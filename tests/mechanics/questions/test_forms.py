@@ -8,9 +8,13 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.core.symbols import prime
 from lagrange.mechanics.questions.forms import (
+    joined_conditions,
     rate_of,
     settled,
+    shown,
     under_one_root,
+    with_common_number,
+    with_exponentials_under_roots,
     with_factors,
     with_half_angle,
     with_joined_logarithms,
@@ -19,8 +23,10 @@ from lagrange.mechanics.questions.forms import (
     with_tanh,
     without_roots_below,
     without_roots_in_logarithms,
+    without_waves_of_logarithms,
     without_weaker,
 )
+from lagrange.mechanics.questions.results import AnswerBranch
 
 g, h, m, x = sp.symbols("g h m x", positive=True)
 
@@ -115,3 +121,62 @@ def test_the_rate_of_a_coordinate_and_of_a_distance() -> None:
     a, b = sp.symbols("a b", real=True)
     assert rate_of(a) == prime(a)
     assert rate_of(b - a) == prime(b) - prime(a)
+
+
+def test_hyperbolic_functions_of_logarithms() -> None:
+    grown = sp.log(x + sp.sqrt(x**2 - 1))
+    for f in (sp.cosh, sp.sinh, sp.tanh):
+        for number in (1, -1, sp.S.Half):
+            written = without_waves_of_logarithms(f(number * grown))
+            assert not written.has(sp.log, sp.cosh, sp.sinh, sp.tanh)
+            assert float((written - f(number * grown)).subs(x, 1.7)) == pytest.approx(0, abs=1e-12)
+    assert without_waves_of_logarithms(sp.tanh(grown)) == sp.sqrt(x**2 - 1) / x
+    assert without_waves_of_logarithms(sp.tanh(x)) == sp.tanh(x)
+
+
+def test_exponentials_go_under_a_root() -> None:
+    e = m * sp.sqrt(sp.exp(2 * x) - 1) * sp.exp(-x)
+    assert with_exponentials_under_roots(e) == m * sp.sqrt(1 - sp.exp(-2 * x))
+
+
+@pytest.mark.parametrize(("relation", "other"), [(">", "<"), ("≥", "≤")])
+def test_conditions_on_exponentials_are_about_their_exponents(relation: str, other: str) -> None:
+    y = sp.Symbol("y", real=True)
+    positive = SignCondition(y, relation, sp.S.Zero)
+    e = sp.exp(m * y)
+    assert joined_conditions([SignCondition(e, relation, sp.S.One)]) == (positive,)
+    assert joined_conditions([SignCondition(sp.S.One, other, e)]) == (positive,)
+    assert joined_conditions([SignCondition(e, other, sp.S.One)]) != (positive,)
+
+
+def test_fourth_roots_of_numbers_go_under_the_root() -> None:
+    e = sp.root(3, 4) * sp.sqrt(g) / sp.sqrt(h)
+    written = under_one_root(e)
+    assert (written.base, written.exp) == (sp.sqrt(3) * g / h, sp.S.Half)
+
+
+def test_terms_beside_a_root_cancel() -> None:
+    root = sp.sqrt(g**2 - h)
+    e = (2 * x * (m + g) - 2 * m * x - 2 * g * x + root) / (m + g)
+    assert with_factors(e) == root / (m + g)
+
+
+def test_a_strict_condition_has_the_shorter_sides() -> None:
+    """l² + b² cos² φ ≥ b² and b² sin² φ ≠ l² are l² > b² sin² φ."""
+    phi = sp.Symbol("phi", real=True)
+    weak = SignCondition(h**2 + g**2 * sp.cos(phi) ** 2, "≥", g**2)
+    different = SignCondition(g**2 * sp.sin(phi) ** 2, "≠", h**2)
+    expected = (SignCondition(h**2, ">", g**2 * sp.sin(phi) ** 2),)
+    assert joined_conditions([weak, different]) == expected
+    assert joined_conditions([different, weak]) == expected
+    assert len(joined_conditions([weak, SignCondition(g**2, "≠", m**2)])) == 2
+
+
+def test_a_number_that_all_terms_share_stands_before_them() -> None:
+    e = sp.Rational(27, 10) * g - sp.Rational(27, 10) * h
+    written = with_common_number(e)
+    assert written.args == (sp.Rational(27, 10), g - h)
+    assert sp.expand(written) == e
+    assert with_common_number(g - 2 * h) == g - 2 * h
+    assert with_common_number(2 - 2 * h) == 2 - 2 * h
+    assert shown(AnswerBranch(x, e, ())).rhs == written

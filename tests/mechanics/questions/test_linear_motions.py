@@ -25,6 +25,7 @@ SYSTEMS = {
     "Foucault": ((-(w**2) * x + 2 * W * prime(y), -(w**2) * y - 2 * W * prime(x)), {x: a, prime(y): h}),
     "one force on two": ((f - k * (x - y), k * (x - y)), {x: a}),
     "shaken": ((f * sp.cos(O * t) - 2 * x + y, x - 2 * y), {}),
+    "crossed fields by components": ((w * sp.cos(c) * prime(y), f - w * sp.cos(c) * prime(x)), {prime(y): h}),
     "saddle": ((w**2 * y, w**2 * x), {x: a}),
 }
 
@@ -120,3 +121,16 @@ def test_the_solution_satisfies_the_equation_and_begins_as_it_should(acceleratio
 )
 def test_other_equations_are_left(acceleration: sp.Expr) -> None:
     assert of_rates_in_time(x_linear_in_speed, acceleration, place, speed) is None
+
+
+def test_the_squares_of_components_are_added() -> None:
+    """A stone that falls at the latitude c: the solution has the frequency 2W, not 2W sqrt(cos^2 + sin^2)."""
+    accelerations = {
+        prime(x, 2): 2 * W * (prime(y) * sp.sin(c) - prime(z) * sp.cos(c)),
+        prime(y, 2): -2 * W * prime(x) * sp.sin(c),
+        prime(z, 2): 2 * W * prime(x) * sp.cos(c) - f,
+    }
+    still = dict.fromkeys((x, y, z, prime(x), prime(y), prime(z)), sp.S.Zero)
+    [motion] = closed_motions(accelerations, still, {x})
+    expected = f * sp.cos(c) * (2 * W * t - sp.sin(2 * W * t)) / (4 * W**2)
+    assert sp.expand(motion.solutions[x] - expected) == 0

@@ -378,3 +378,195 @@ ask: {force: {quantity: P, by: y}}
     values = {"rho": 2, "v": 3, "g": 10, "y": 5}
     here = branch.rhs.xreplace({s: sp.Integer(values[s.name]) for s in branch.rhs.free_symbols})
     assert abs(here) == 2 * (10 * 5 + 9)
+
+
+def test_a_crank_at_an_angle_of_its_uniform_rotation(problem: Read) -> None:
+    """x = b cos(w t) + sqrt(l^2 - b^2 sin(w t)^2), differentiated numerically; the rod pulls the piston."""
+    found = asked(
+        problem("""
+title: Force in a connecting rod
+axes: {i: right, j: up}
+parameters: {m: 1.5 kg, b: 75 mm, l: 250 mm, w: 2000 rpm}
+coordinates: {x: {range: [l - b, l + b]}}
+particles: {piston: {mass: m, position: x*i}}
+constraints: {rod: {equation: "(x - b*cos(w*t))^2 + b^2*sin(w*t)^2 = l^2", reaction: T, by: rod}}
+ask:
+  velocity: {quantity: "x'", when: "w*t = 60 deg"}
+  acceleration: {quantity: "x''", when: "w*t = 60 deg"}
+  force: {quantity: T, when: "w*t = 60 deg"}
+""")
+    )
+    b, l, w, h = 0.075, 0.25, 2000 * math.pi / 30, 1e-6
+
+    def x(angle: float) -> float:
+        return b * math.cos(angle) + math.sqrt(l**2 - (b * math.sin(angle)) ** 2)
+
+    at = math.pi / 3
+    velocity, acceleration = (
+        w * (x(at + h) - x(at - h)) / (2 * h),
+        w**2 * (x(at + 1e-4) - 2 * x(at) + x(at - 1e-4)) / 1e-8,
+    )
+    assert found["velocity"]["number"] == pytest.approx(velocity, rel=1e-5)
+    assert found["acceleration"]["number"] == pytest.approx(acceleration, rel=1e-5)
+    cosine = math.sqrt(1 - (b * math.sin(at) / l) ** 2)
+    assert found["force"]["number"] == pytest.approx(-1.5 * acceleration / cosine, rel=1e-5)
+
+
+def test_the_side_to_which_a_ball_rebounds_follows_from_the_values(problem: Read) -> None:
+    """(m_A - e m_B) v/(m_A + m_B) = -0.08 v: it goes back to the side from which it came."""
+    found = asked(
+        problem("""
+title: Pendulum ball that hits a block
+axes: {i: right, j: up}
+parameters: {m_A: 2 kg, m_B: 3 kg, l: 1.2 m, g: 9.81 m/s^2, e: 0.8}
+coordinates: [theta, x]
+particles: {A: {mass: m_A, position: l*sin(theta)*i - l*cos(theta)*j}, B: {mass: m_B, position: x*i - l*j}}
+gravity: -g*j
+impact:
+  before: {theta: 0, theta': sqrt(g/l), x: 0, x': 0}
+  constraints: {touch: {equation: x >= l*sin(theta), reaction: P}}
+  restitution: {touch: e}
+find: impact
+ask: {rebound: {quantity: theta, when: "theta' = 0"}}
+""")
+    )
+    assert found["rebound"]["number"] == pytest.approx(-math.acos(1 - 0.08**2 / 2))
+
+
+def test_the_force_at_which_a_spool_slips_has_the_sense_of_the_file(problem: Read) -> None:
+    """Drawn by a cord from under its hub it rolls towards the hand: F (R - r) R = m (k^2 + R^2) a."""
+    found = asked(
+        problem("""
+title: Spool
+axes: {i: right, j: up}
+parameters: {m: 6 kg, R: 200 mm, r: 100 mm, k: 150 mm, F: {unit: N}, mu_s: 0.3, g: 9.81 m/s^2}
+coordinates: [x, y, theta]
+bodies: {spool: {mass: m, inertia: m*k^2, position: x*i + y*j, angle: -theta}}
+constraints: {floor: {equation: y >= R, reaction: N}, rolling: {equation: "x' = R*theta'", reaction: H}}
+gravity: -g*j
+forces: {pull: {on: spool, vector: F*i, at: r_spool - r*j}}
+ask:
+  force: {quantity: F, when: H = mu_s*N}
+  acceleration: {quantity: "x''", when: H = mu_s*N}
+""")
+    )
+    force = 0.3 * 6 * 9.81 * (0.15**2 + 0.2**2) / (0.15**2 + 0.2 * 0.1)
+    assert found["force"]["number"] == pytest.approx(force)
+    assert found["acceleration"]["number"] == pytest.approx(force * 0.2 * 0.1 / (6 * (0.15**2 + 0.2**2)))
+
+
+def test_a_steady_rate_has_no_sense(problem: Read) -> None:
+    text = """
+title: Merry-go-round
+axes: {k: up}
+parameters: {m: positive, b: 3 m, l: 4 m, g: 9.81 m/s^2}
+coordinates: {phi: angle, theta: {range: [0, 90 deg]}}
+particles: {chair: {mass: m, position: (b + l*sin(theta))*(cos(phi)*i + sin(phi)*j) - l*cos(theta)*k}}
+gravity: -g*k
+ask: {rate: {quantity: "phi'", when: ["theta = 30 deg", "theta' = 0", "theta'' = 0"]}}
+"""
+    found = asked(problem(text))["rate"]
+    rate = math.sqrt(9.81 * math.tan(math.pi / 6) / 5)
+    assert (found["number"], found["unit"]) == (pytest.approx(rate), "rad/s")
+    explained = report(problem(text))
+    page = terminal.text(explained.derivation, explained.notation, 100)
+    assert "|φ̇| ≈ 1.064 rad/s" in page
+    assert "either sense" in page
+
+
+def test_slip_goes_on_to_a_place_that_is_reached_in_the_first_direction(problem: Read) -> None:
+    """A block that slides against a spring is fastest where c x = m g (sin - mu cos)."""
+    text = """
+title: Block on a rough slope against a spring
+axes: {i: down the slope, j: up}
+parameters: {m: 2 kg, g: 9.81 m/s^2, alpha: 30 deg, mu: %s, c: 800 N/m, v: 2 m/s}
+coordinates: [x, y]
+particles: {block: {mass: m, position: x*i + y*j}}
+constraints: {slope: {equation: y >= 0, reaction: N}}
+gravity: g*sin(alpha)*i - g*cos(alpha)*j
+forces: {spring: {potential: c*x^2/2}, rub: {friction: mu, constraint: slope, on: block, slip: positive}}
+initial: {x: 0, x': v}
+ask: {fastest: {quantity: x, when: "x'' = 0"}}
+"""
+    found = asked(problem(text % 0.25))["fastest"]
+    assert found["conditions"] == []
+    assert found["number"] == pytest.approx(2 * 9.81 * (0.5 - 0.25 * math.sqrt(3) / 2) / 800)
+    behind = asked(problem(text % 0.7))["fastest"]  # it would have to slip back to get there
+    assert behind["value"] is None
+
+
+def test_a_drop_that_gathers_mist(problem: Read) -> None:
+    found = asked(
+        problem("""
+title: Raindrop
+axes: {j: down}
+parameters: [k, g, m_0]
+coordinates: [y, m]
+particles: {drop: {mass: m, position: y*j, gains: {velocity: 0}}}
+constraints: {mist: "m' = k*m*y'"}
+gravity: g*j
+initial: {y: 0, y': 0, m: m_0}
+ask:
+  speed: {quantity: "y'", by: y}
+  final: {quantity: "y'", when: "y'' = 0"}
+""")
+    )
+    assert found["speed"]["value"] == "sqrt(g*(1 - exp(-2*k*y))/k)"
+    assert found["speed"]["conditions"] == ["y >= 0"]
+    assert (found["final"]["value"], found["final"]["conditions"]) == ("sqrt(g/k)", ["in the limit t → ∞"])
+
+
+def test_a_condition_with_a_length_in_a_sum_hides_its_unit(problem: Read) -> None:
+    text = """
+title: Fall
+axes: {j: down}
+parameters: {m: 2 kg, g: 9.81 m/s^2, L: {unit: m}}
+coordinates: [y]
+particles: {P: {mass: m, position: y*j}}
+gravity: g*j
+initial: {y: L, y': 0}
+ask: {speed: {quantity: "y'", when: y = L + 1.5 km}}
+answers: {ask: {speed: 171.6 m/s}}
+"""
+    read = problem(text)
+    assert asked(read)["speed"]["unit"] == "m/s"
+    assert [a.verdict.value for a in report(read).answers] == ["equivalent"]
+
+
+def test_a_fall_that_a_parachute_slows(problem: Read) -> None:
+    """v' = g - c v^2/m from v to u: t = (w/2g) ln[(u + w)(v - w)/((u - w)(v + w))] with the final speed w."""
+    found = asked(
+        problem("""
+title: Parachutist
+axes: {j: down}
+parameters: {m: 80 kg, g: 9.81 m/s^2, c: 30 kg/m, v: 50 m/s}
+coordinates: [y]
+particles: {P: {mass: m, position: y*j}}
+gravity: g*j
+forces: {drag: {on: P, vector: "-c*y'*abs(y')*j"}}
+initial: {y: 0, y': v}
+ask: {time: {quantity: t, when: "y' = 10 m/s"}}
+""")
+    )
+    w = math.sqrt(80 * 9.81 / 30)
+    time = w / (2 * 9.81) * math.log((10 + w) * (50 - w) / ((10 - w) * (50 + w)))
+    assert (found["time"]["how"], found["time"]["number"]) == ("exact", pytest.approx(time))
+
+
+def test_conditions_have_no_roots_of_squares(problem: Read) -> None:
+    """A collar that a counterweight holds falls to 2 m M d/(M^2 - m^2), where the cord has the length of a square."""
+    found = asked(
+        problem("""
+title: Collar and counterweight
+axes: {i: right, j: down}
+parameters: [m, M, d, L, g]
+coordinates: [y, z]
+particles: {collar: {mass: m, position: y*j}, weight: {mass: M, position: d*i + z*j}}
+constraints: {cord: {equation: sqrt(d^2 + y^2) + z = L, reaction: T, by: string}}
+gravity: g*j
+generalized_coordinates: {fall: {coordinates: [y]}}
+initial: {y: 0, y': 0}
+ask: {lowest: {quantity: y, when: "y' = 0"}}
+""")
+    )
+    assert found["lowest"]["conditions"] == ["M > m"]

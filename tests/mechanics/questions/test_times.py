@@ -78,3 +78,23 @@ def test_the_limit_of_decaying_exponentials() -> None:
         assert limit_in_time(endless) is None
     assert fades(g * sp.exp(-c * t))
     assert not fades(g * sp.exp(-c * t) + m)
+
+
+def test_exponentials_that_cancel_leave_no_root() -> None:
+    """g - g tanh^2 is g/cosh^2, whose numerator is a constant."""
+    assert times(b * sp.cosh(w * t) ** 2 - b * sp.sinh(w * t) ** 2) == []
+
+
+def test_a_logarithm_of_two_negative_numbers() -> None:
+    """A parachute that opens at the speed a slows the fall to b: both are above the final speed, 1."""
+    swift = sp.sqrt(c) * a * sp.cosh(w * t) + sp.sinh(w * t)
+    slow = b * (sp.sqrt(c) * sp.cosh(w * t) + a * c * sp.sinh(w * t))
+    roots = times(swift - slow)
+    assert roots is not None
+    values = {a: 10, b: 2, c: 1, w: 1.3}
+    [time] = [float(r.value.subs(values)) for r in roots]
+    assert float((swift - slow).subs(values).subs(t, time)) == pytest.approx(0, abs=1e-12)
+    for condition in roots[0].conditions:
+        sides = [sp.sympify(e).subs(values) for e in (condition.lhs, condition.rhs)]
+        assert all(e.is_real for e in sides)
+        assert {"≠": sides[0] != sides[1], "≥": sides[0] >= sides[1], ">": sides[0] > sides[1]}[condition.relation]

@@ -14,11 +14,14 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from lagrange.answers.questions.frequencies import check_frequencies, frequencies_in
 from lagrange.answers.questions.named_values import label_of, written_label
 from lagrange.answers.questions.stability_in_text import WORD as STABLE
 from lagrange.answers.questions.stability_in_text import check_stability_beside
 from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, stated_frequencies
+from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of
@@ -60,8 +63,15 @@ def with_results_beside(answer: Sequence[Fragment], judged: Judgement, solution:
     def is_judged(note: Diagnostic) -> bool:
         return note.code == "not-judged" and note.span is not None and any(_overlap(note.span, s) for s in settled)
 
-    notes = tuple(n for n in judged.equations.notes if not is_judged(n))
-    return replace(judged, equations=replace(judged.equations, notes=notes), others=(*judged.others, *found))
+    motion = judged.equations
+    notes = tuple(n for n in motion.notes if not is_judged(n))
+    unread = tuple(d for d in motion.unreadable if d.span is None or not any(_overlap(d.span, s) for s in settled))
+    read = tuple(e for e in motion.equations if e.verdict is not Verdict.UNREADABLE or e.text not in taken)
+    return replace(
+        judged,
+        equations=replace(motion, notes=notes, unreadable=unread, equations=read),
+        others=(*judged.others, *found),
+    )
 
 
 def _conditions_beside(answer: Sequence[Fragment]) -> Iterator[Fragment]:
@@ -159,15 +169,18 @@ def _is_frequency(fragment: Fragment, reference: Reference) -> bool:
 def _of_steady_motion(lines: Sequence[Fragment], solution: Solution) -> Iterator[AnswerVerdict]:
     """The verdicts on conditions of steady motion."""
     from lagrange.answers.equilibria import alternatives_of, check_steady_answers
-    from lagrange.answers.questions.equilibrium_in_text import with_rate_as_omega
+    from lagrange.answers.questions.equilibrium_in_text import is_kept, says_steady, with_rate_as_omega
 
     families = [v.steady for v in solution.views if v.steady is not None]
     reference = reference_of_solution(solution)
-    wider = with_rate_as_omega(reference, next((s.cyclic for s in families), ()))
+    cyclic = next((s.cyclic for s in families), ())
+    wider = with_rate_as_omega(reference, cyclic)
     for f in lines:
-        if not _STEADY.search(_line(f)):
+        if not _STEADY.search(_line(f)) or is_kept(f) or says_steady(f, cyclic, reference):
             continue
         working = understood([f], wider, moving=False)
+        if any(g.reading.components == (sp.S.Zero,) for g in working.judged if isinstance(g, GivenEquation)):
+            continue  # phi' = Omega, the name of the constant rate
         if not working.judged or working.unreadable:
             continue
         try:

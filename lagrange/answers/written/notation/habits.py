@@ -19,10 +19,15 @@ import re
 from unicodedata import normalize
 
 from lagrange.expressions.characters import GREEK
+from lagrange.expressions.edits import cuts
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
 _CONST = re.compile(r"(?<=\{)(\s*[Kk]onst|\s*const|\s*[Cc]st)\.\s*\}")
+_ADDED_CONST = re.compile(
+    r"(?<=[-+−])\s*\\(?:text|textrm|mathrm|mbox|rm)\s*\{\s*(?:[Cc]onst(?:ant)?|[Kk]onst(?:ante)?|[Cc]st|cte)\.?\s*\}"
+)
+"""A constant of integration, `+ \\text{const.}`."""
 _UPRIGHT_D = re.compile(r"\\(?:mathrm|text|rm|mathsf)\s+(d)(?=\s*[A-Za-z\\}^])")
 _SUM = r"\\sum(?![A-Za-z])(?:\\limits|_(?:\{[^{}]{0,12}\}|\w))?[^=:$\n&;,]{1,40}?"
 _ARROW = r"\\(?:Rightarrow|Longrightarrow|implies|quad|qquad|to|rightarrow)(?![A-Za-z])"
@@ -108,12 +113,32 @@ _RATE_AT = re.compile(
 """The place of a frequency after it: `$\\omega^2 = g/R$ at $\\theta = 0$`, `\\omega = a \\text{ at } \\theta = 0`."""
 _RADIANS = re.compile(r"(?<=[0-9])(?P<unit>\s?rad)(?![A-Za-z/^])(?=[\s.,;)]|\Z)")
 """The unit of an angle after a number, which is 1."""
+_OF_MAXIMA = re.compile(
+    r"^\s*\(%[io][0-9]{1,4}\)|(?<![A-Za-z0-9_'])'(?=(?:diff|integrate)\()|%(?=(?:pi|e)\b)", re.MULTILINE
+)
+"""Labels and nouns of Maxima: `(%o5)`, `'diff(x, t, 2)`, `%pi`."""
+_SINE = re.compile(r"(?<![A-Za-z_\\])sen(?=\s?(?:\^|²|³|\(|[^\W\d_]))(?![a-z]{2})")
+"""`sen α`, the sine in Spanish, Italian and Portuguese."""
+_GREEK_INDEX = re.compile(rf"(?<![A-Za-z0-9_])(?P<name>[A-Za-z]{{1,3}})_(?P<index>[{_GREEK}])(?![A-Za-z0-9_])")
+_KEPT = re.compile(
+    r"(?:(?<=[)}²³'\u0307])|(?<=\^[0-9]))\s+(?:is|ist|est|es)\s+(?:conserved|constant|erhalten|konstant|conserv[ée]e?|constante?)"
+    r"(?:\s*\(\s*=\s*(?P<value>[^()=\n]{1,20})\))?(?=[\s.,;)]|\Z)"
+)
+"""`p = m r^2 φ' is conserved (= h)`."""
+_DICTIONARY = re.compile(r"\s*\[?\{(?P<items>\s*[^\W\d]\w{0,12}(?:\(t\)|'{1,2})?\s*:[^{}]*)\}\]?\s*")
+_ITEM = re.compile(r"\s*(?P<name>[^\W\d]\w{0,12}(?:\(t\)|'{1,2})?)\s*:(?!=)(?P<value>[^:]*)\Z")
 _NO_NAMES = "arcsin arccos arctan ln sgn to is of and or by at in for the with so are as eq case dt"
 _FUNCTIONS = frozenset({*FUNCTIONS, *_NO_NAMES.split()})
 
 
 def in_usual_signs(text: str) -> str:
     """The text without these habits."""
+    text = _of_dictionary(text)
+    if "\\" not in text:
+        text = _OF_MAXIMA.sub(_blank, text)
+        text = _SINE.sub("sin", text)
+        text = _GREEK_INDEX.sub(lambda m: f"{m['name']}_{GREEK[m['index']]}", text)
+        text = _KEPT.sub(lambda m: f" = {m['value'].strip()} = const" if m["value"] else " = const", text)
     text = _ITALIC.sub(lambda m: normalize("NFKC", m[0]), text)
     text = _NAME_OF_WORDS.sub(lambda m: f"{m['before']}{m['name']}{' ' * len(m['words'])}", text)
     text = _FUNCTION_OF_TIME.sub(lambda m: f"{m['name']}{' ' * len(m['arrow'])}", text)
@@ -128,6 +153,7 @@ def in_usual_signs(text: str) -> str:
         text = _RATE_AT.sub(lambda m: rf"{m['place']} \quad {m['rate']}", text)
         text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
         text = _CONST.sub(r"\1} ", text)
+        text = _ADDED_CONST.sub(lambda m: " const".ljust(len(m[0])), text)
         text = _UPRIGHT_D.sub(lambda m: m[1].rjust(len(m[0])), text)
         if "\\sum" in text:
             text = _LAW_BEFORE.sub(_blank, text)
@@ -142,6 +168,15 @@ def in_usual_signs(text: str) -> str:
     text = _ABOUT_AS_WELL.sub(_blank, text)
     text = _NUMBER_AMONG_LETTERS.sub(lambda m: m[0] if m["word"] in _FUNCTIONS else f"{m['word']}*", text)
     return _OR_SIGN.sub(r" \\text{ or } " if "\\" in text else " or ", text)
+
+
+def _of_dictionary(text: str) -> str:
+    """`{X: a, Y: b}` of SymPy as X = a; Y = b."""
+    match = _DICTIONARY.fullmatch(text) if "{" in text and ":" in text else None
+    if match is None:
+        return text
+    items = [_ITEM.fullmatch(match["items"][a:b]) for a, b in cuts(match["items"], re.compile(","))]
+    return "; ".join(f"{i['name']} = {i['value'].strip()}" for i in items if i) if all(items) else text
 
 
 def _semicolon(match: re.Match[str]) -> str:

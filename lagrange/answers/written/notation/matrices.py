@@ -174,6 +174,25 @@ def rows_of_lists(text: str) -> list[str]:
     return _equations(text.replace("==", "= "), matrices) if len(matrices) > 1 or _is_zero_after(text) else []
 
 
+_SOLVED = re.compile(
+    r"\s*(?:(?P<list>[\[{][^=]{1,200}[\]}])|(?P<name>[A-Za-z]\w{0,12}))\s*=\s*(?P<matrix>[A-Za-z]\w{0,12})\s*\\\s*(?P<column>[A-Za-z]\w{0,12})[\s;.]*\Z"
+)
+_NAMED_ACCELERATION = re.compile(r"\w{0,6}dd\w{0,4}|acc\w{0,10}|a|[A-Za-z]pp|D2\w{1,3}", re.IGNORECASE)
+
+
+def _multiplied(text: str, values: Mapping[str, str]) -> str:
+    r"""`qdd = A\b` of MATLAB, where both have values, as A*[...] = b; the accelerations are those of the state."""
+    match = _SOLVED.match(text)
+    if match is None or not {match["matrix"], match["column"]} <= values.keys():
+        return text
+    if (unknown := match["list"]) is None:
+        if not _NAMED_ACCELERATION.fullmatch(match["name"]):
+            return text
+        size = len(_lists(values[match["column"]])[0].rows)
+        unknown = f"[{'; '.join(f'state_{n}{chr(39) * 2}' for n in range(1, size + 1))}]"
+    return f"{match['matrix']}*{unknown} = {match['column']}"
+
+
 _NAMED = re.compile(r"\s*(?P<name>[A-Za-z]\w{0,12})\s*(?:\([^()=]{0,20}\))?\s*:?=(?!=)\s*(?P<value>[^=]+?)[\s;.]*\Z")
 
 
@@ -192,7 +211,8 @@ def rows_with_names(texts: Sequence[str]) -> list[list[str] | None]:
         rf"(?<![A-Za-z0-9_'.])(?:{'|'.join(map(re.escape, values))})(?![A-Za-z0-9_'])(?:\([^()=]{{0,20}}\))?"
     )
     made: list[list[str] | None] = []
-    for text in texts:
+    for written in texts:
+        text = _multiplied(written, values)
         match = _NAMED.match(text)
         if match and match["name"] in values and match["value"] == values[match["name"]]:
             made.append([])

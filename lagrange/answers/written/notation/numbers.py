@@ -16,7 +16,7 @@ comma, and neither is that of `10,000`, which may separate thousands.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 import sympy as sp
 
@@ -105,6 +105,30 @@ def plain_unit(unit: str) -> str:
     unit = re.sub(r"\\(?:text|textrm|mathrm|mbox|rm|si|unit|textup)\s*\{([^{}]*)\}", r"\1", unit)
     unit = re.sub(r"\\(?:cdot|times)", "*", re.sub(r"\\[,;:! ]|~", " ", unit))
     return re.sub(r"[{}]", "", unit).strip()
+
+
+_UNIT_BEHIND = re.compile(
+    r"(?:\s|~|\\[,;:! ]|\\q?quad(?![A-Za-z]))+\$?(?:in\s+)?(?:\\left\s*)?(?P<open>[\[(])(?P<unit>[^\[\]=]{1,50}?)"
+    r"(?:\\right\s*)?(?P<close>[\])])[\s.,;$]*\Z"
+)
+
+
+def unit_behind(text: str, declared: Collection[str]) -> int:
+    """Where a unit in brackets begins behind an equation, `... = -g/l sin(theta)   [rad/s^2]`; the text's end if none.
+
+    In round brackets, and as a small letter alone, it may be a factor, unless one of its letters is no name of the
+    problem.
+    """
+    match = _UNIT_BEHIND.search(text, text.rindex("=") + 1) if "=" in text else None
+    if match is None or {match["open"], match["close"]} not in ({"[", "]"}, {"(", ")"}):
+        return len(text)
+    written = plain_unit(match["unit"])
+    names = _NAME.findall(written)
+    is_unit = bool(names) and unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", written)) is not None
+    alone = len(names) == 1 and names[0] == written and written.islower()
+    may_be_factor = (match["open"] == "(" or alone) and all(n in declared for n in names)
+    before = text[text.rindex("=") + 1 : match.start()].strip(" $&")
+    return match.start() if is_unit and before and not may_be_factor else len(text)
 
 
 _SPELLED_OUT = {"inch": "in", "inches": "in", "foot": "ft", "feet": "ft", "pounds": "lb", "metres": "m", "meters": "m"}

@@ -83,6 +83,14 @@ class ImpendingMotion:
     held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     place: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
+    def pressed_with(self, b: Branch) -> dict[str, sp.Expr]:
+        """The reactions, by constraint, with the unknown forces that an equilibrium gives."""
+        found = {r.lhs: r.rhs for r in b.relations if r.lhs in self.equilibrium.forces}
+        return {
+            name: shortest(f.xreplace(found)) if f.free_symbols & found.keys() else f
+            for name, f in self.pressed.items()
+        }
+
 
 @record
 class _Statics:

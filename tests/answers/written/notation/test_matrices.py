@@ -33,6 +33,17 @@ def test_lists_may_have_names() -> None:
     assert rows_with_names(lines[:2]) == [None, None]
 
 
+@pytest.mark.parametrize("unknown", ["[x''; y'']", "qdd", "acc"])
+def test_a_system_may_be_divided_as_in_matlab(unknown: str) -> None:
+    lines = ["A = [a b; c d]", "rhs = [p; q];", rf"{unknown} = A\rhs;"]
+    x, y = ("x''", "y''") if "[" in unknown else ("state_1''", "state_2''")
+    assert rows_with_names(lines) == [[], [], [f"(a)({x}) + (b)({y}) = (p)", f"(c)({x}) + (d)({y}) = (q)"]]
+
+
+def test_a_quotient_of_no_system_is_no_equation_between_lists() -> None:
+    assert rows_with_names(["A = [a b; c d]", "rhs = [p; q]", r"force = A\rhs"]) == [None, None, None]
+
+
 def test_named_matrices_are_written_out() -> None:
     column = r"\begin{pmatrix}%s\\%s\end{pmatrix}"
     matrix = r"\begin{pmatrix}a & b\\c & d\end{pmatrix}"

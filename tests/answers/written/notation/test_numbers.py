@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.written.notation.numbers import plain_unit, units_in_si, with_decimal_points
+from lagrange.answers.written.notation.numbers import plain_unit, unit_behind, units_in_si, with_decimal_points
 from tests.support.scopes import PLANE
 
 
@@ -19,6 +19,25 @@ def test_feet_and_inches_may_be_spelled_out() -> None:
     for word, short in (("inches", "in"), ("feet", "ft")):
         [(_, _, written)], [(_, _, usual)] = (units_in_si(f"y = 12 {unit}", PLANE) for unit in (word, short))
         assert written == usual != ""
+
+
+@pytest.mark.parametrize(
+    ("text", "equation"),
+    [
+        ("x'' = g sin(a)   [m/s^2]", "x'' = g sin(a)"),
+        ("x'' = g sin(a) (rad/s²).", "x'' = g sin(a)"),
+        ("N = m g [N]", "N = m g"),
+        (r"\ddot x = g \quad [\mathrm{m\,s^{-2}}]", r"\ddot x = g"),
+        ("x = v (s)", "x = v (s)"),  # s is a name: a factor
+        ("x = l [x + y]", "x = l [x + y]"),
+        ("a = 2 [g]", "a = 2 [g]"),
+        ("a = 2 [kg]", "a = 2"),
+        ("theta'' = [rad/s]", "theta'' = [rad/s]"),  # nothing else is there
+        ("m a = m [x''] [kg m/s^2]", "m a = m [x'']"),
+    ],
+)
+def test_units_behind_an_equation_are_no_factors(text: str, equation: str) -> None:
+    assert text[: unit_behind(text, {"s", "m", "g", "N", "l"})].rstrip() == equation
 
 
 # Decimal commas
