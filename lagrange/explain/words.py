@@ -28,6 +28,7 @@ WITH_VALUES = Phrase("with the given values ", Purpose.GIVEN_VALUES)
 """The start of what the values of the file decide, where the letters leave it open."""
 
 
+_NUMBERED = re.compile(r"\b([a-z]{3,})(\d+)\b")
 _ADJECTIVES = ("left", "right", "middle", "single", "upper", "lower", "inner", "outer", "front", "rear", "one", "other")
 
 
@@ -107,11 +108,11 @@ def _component(name: str) -> tuple[str, str]:
 
 
 def constraints_called(names: Iterable[str]) -> str:
-    """`the rod constraint`, `the upper-rod and first no-slip constraints`."""
+    """`the rod constraint`, `the upper-rod and first no-slip constraints`, `the plane 1 constraint` for plane1."""
     ordinals: dict[str, list[str]] = {}
     for name in names:
         whole, ordinal = _component(name)
-        one = ordinals.setdefault(re.sub(r" (?=\D)", "-", spoken(whole)), [])
+        one = ordinals.setdefault(_NUMBERED.sub(r"\1 \2", re.sub(r" (?=\D)", "-", spoken(whole))), [])
         one += [ordinal] if ordinal else []
     called = [f"{joined(numbers)} {whole}".strip() for whole, numbers in ordinals.items()]
     number = sum(len(numbers) or 1 for numbers in ordinals.values())

@@ -33,6 +33,9 @@ _STROKES = {
     Drawn.CURVE: StrokeKind.CURVE,
 }
 
+NEARLY_FLAT = 0.35
+"""Least difference of brightness for which a surface is shaded."""
+
 
 @dataclass
 class DeclaredParts:
@@ -263,26 +266,33 @@ def _wrapped(angle: float) -> float:
     return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
+def _brightness(grid: Sequence[Sequence[FloatVector]], m: int, n: int, light: FloatVector) -> float:
+    """The cosine of the angle between the normal of a face and the light; −1 for a face without an area."""
+    normal = outer(minus(grid[m + 1][n + 1], grid[m][n]), minus(grid[m][n + 1], grid[m + 1][n]))
+    return -1.0 if math.hypot(*normal) < 1e-12 else abs(inner(unit(normal), light))
+
+
 def patch(
     sketch: Sketch, view: View, page: Callable[[FloatVector], PagePoint], grid: Sequence[Sequence[FloatVector]]
 ) -> None:
     """A surface given by a grid of places: light from the upper left, in front of what is farther from the reader.
 
-    What goes around an axis is shaded; a patch is of one shade, as the border of two would be a staircase of faces.
+    What bends little is of one shade, as the border of two would be a staircase of faces.
     """
     light = unit(plus(view.toward_reader, (0.2, -0.5, 0.9)))
     rows, columns = len(grid) - 1, len(grid[0]) - 1
     sides = [[row[0] for row in grid], [row[-1] for row in grid]]
     meets = all(math.dist(a, b) < SAME_ON_PAGE for a, b in zip(*sides, strict=True))  # all around an axis
-    closed = meets or all(math.dist(a, b) < 0.01 for a, b in zip(grid[0], grid[-1], strict=True))
+    brightness = [_brightness(grid, m, n, light) for m in range(rows) for n in range(columns)]
+    seen = [b for b in brightness if b >= 0]
+    flat = not seen or max(seen) - min(seen) < NEARLY_FLAT
     for m in range(rows):
         for n in range(columns):
             corners = [grid[m][n], grid[m + 1][n], grid[m + 1][n + 1], grid[m][n + 1]]
-            normal = outer(minus(corners[2], corners[0]), minus(corners[3], corners[1]))
-            if math.hypot(*normal) < 1e-12:
+            bright = brightness[m * columns + n]
+            if bright < 0:
                 continue
-            bright = abs(inner(unit(normal), light))
-            shade = 2 if bright > 0.75 or not closed else 3 if bright > 0.4 else 4
+            shade = 2 if bright > 0.75 or flat else 3 if bright > 0.4 else 4
             depth = sum(inner(c, view.toward_reader) for c in corners) / 4
             sketch.face([page(c) for c in corners], shade, depth - 1e3, StrokeKind.FACE)
     edges = [*([] if meets else sides), list(grid[0]), list(grid[-1])]

@@ -69,11 +69,24 @@ _SCRIPTS = {c: f"$^{n}$" for n, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} |
 _DOTS = {"\u0307": r"\dot", "\u0308": r"\ddot"}
 _KNOWN = _SPECIAL | _LETTERS | _SCRIPTS
 _LATIN = 0x17F  # the end of Latin Extended-A: inputenc has the letters up to here
+_CODE_OR_ROOT = re.compile(r"(`[^`]+`|√\([^()]*\)|√\d+)")
 _DOTTED = re.compile("(.)([\u0307\u0308])")
 
 
 def escape(text: str) -> str:
-    """Text as LaTeX that prints it."""
+    """Text as LaTeX that prints it: `--format json` as code, √(2/7) with the bar of a root."""
+    return "".join(map(_piece, _CODE_OR_ROOT.split(text)))
+
+
+def _piece(text: str) -> str:
+    if not _CODE_OR_ROOT.fullmatch(text):
+        return _plain(text)
+    if text.startswith("`"):
+        return rf"\texttt{{{_plain(text[1:-1]).replace('--', '-{}-')}}}"
+    return rf"$\sqrt{{{_plain(text[1:].strip('()')).replace('$', '')}}}$"
+
+
+def _plain(text: str) -> str:
     # Straight quotes come in pairs; TeX needs to know which of the two opens.
     text = re.sub(r'"([^"]*)"', "“\\1”", unicodedata.normalize("NFC", text))
     # After NFC a dot is combining only where Unicode has no such letter: θ̇ stays a pair, and becomes \dot{\theta}.

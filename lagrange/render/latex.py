@@ -156,10 +156,12 @@ class _Article(Emitter[str]):
 
     def boxed(self, systems: Sequence[Sequence[_Row]]) -> Iterator[str]:
         # \boxed takes one formula, not an `align`. No page break parts the box from the sentence before it. The space
-        # above the first equation would make the frame lopsided.
-        yield r"\par\nopagebreak\smallskip\noindent\fbox{\begin{minipage}{0.97\linewidth}\vspace{-\abovedisplayskip}"
+        # above the first equation would make the frame lopsided. It is as wide as the text; the numbers have room.
+        # They are 5 pt from the frame, whose rules and separation are 2 (0.4 + 3) pt wide.
+        begin = r"\noindent\fbox{\hspace{5pt}\begin{minipage}{\dimexpr\linewidth-16.8pt}\vspace{-\abovedisplayskip}"
+        yield r"\par\nopagebreak\smallskip" + begin
         yield from self.align(systems)
-        yield "\\end{minipage}}\\par\\smallskip\n"
+        yield "\\end{minipage}\\hspace{5pt}}\\par\\smallskip\n"
 
     def equation(self, code: str, equation: Equation) -> Iterator[str]:
         star = "" if equation.label else "*"

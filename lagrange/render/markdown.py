@@ -164,7 +164,9 @@ class _Page(Emitter[str]):
             case Ref(label=label):
                 return f"({self.content.numbers[label]})"
             case Emphasis(word=word):
-                return f"*{escape(word)}*"
+                inner = word.strip()  # an asterisk beside a space opens nothing
+                before, after = word[: word.index(inner)], word[word.index(inner) + len(inner) :]
+                return f"{before}*{escape(inner)}*{after}" if inner else word
             case str(text):
                 return escape(text)
 

@@ -263,7 +263,7 @@ class _Controls:
         if figure.pushed:
             parts.append("It would stay at rest in this position, so it begins slightly away from it.")
         if figure.orbits:
-            parts.append("There is an attraction: it begins in a nearly circular orbit.")
+            parts.append("There is an attraction: it begins with somewhat less than the velocity of a circular orbit.")
         if figure.data["motion"]:
             until = figure.data["motion"][-1][-1]
             parts.append(

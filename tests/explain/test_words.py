@@ -32,6 +32,7 @@ def test_numbers_and_names_in_words() -> None:
     assert spoken("no_slip.2") == "no slip 2"
     both = constraints_called(["no_slip.1", "no_slip.2", "upper_rod"])
     assert both == "the first and second no-slip and upper-rod constraints"
+    assert constraints_called(["plane1", "S1"]) == "the plane 1 and S1 constraints"
 
 
 @pytest.mark.parametrize(

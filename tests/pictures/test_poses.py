@@ -120,3 +120,16 @@ def test_a_satellite_of_the_earth_is_drawn_though_the_force_has_large_numbers() 
     )
     [scene, *_] = figures_of(kinematics_and_law(lagrange.loads(text)))
     assert scene.dots
+
+
+def test_what_strikes_is_drawn_where_it_touches() -> None:
+    pose = pose_of(
+        "axes: {i: right, j: up}\nparameters: {m: positive, l: positive, v: positive, beta: acute}\n"
+        "coordinates: [x, y, theta]\nbodies: {rod: {mass: m, inertia: m*l^2/12, position: x*i + y*j, angle: theta}}\n"
+        "impact:\n  before: {theta: beta, x': 0, y': -v, theta': 0}\n"
+        "  constraints: {floor: {equation: y - l/2*sin(theta) >= 0, reaction: N}}\nfind: impact\n"
+    )
+    [rod] = pose.configuration.points
+    slots = pose.configuration.slots.coordinates
+    theta, l = slots[2], next(s for s in pose.values if str(s) == "l")
+    assert abs(pose.at(rod.position)[1] - pose.number(l / 2 * sp.sin(theta))) < 1e-8

@@ -34,6 +34,8 @@ ESCAPED = [
     ("d’Alembert", "d'Alembert"),
     ("Größe, façade", "Größe, façade"),
     ("θ̈ and ẋ₁²", r"$\ddot{\theta}$ and $\dot{x}$$_1$$^2$"),
+    ("√(2/7) of √3", r"$\sqrt{2/7}$ of $\sqrt{3}$"),
+    ("`--format json` has it", r"\texttt{-{}-format json} has it"),
     ("中", "[U+4E2D]"),
     ("ﬁ", "fi"),
     ("a\x00b\u200bc\nd", "abc d"),

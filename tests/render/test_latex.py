@@ -27,11 +27,11 @@ PENDULUM = r"""\section*{Ideal pendulum \hfill \textnormal{\normalsize Chapter 6
 
 \subsection*{1\quad Equation of motion}
 With $x^{2} + y^{2} - l^{2} = 0$ it becomes
-\par\nopagebreak\smallskip\noindent\fbox{\begin{minipage}{0.97\linewidth}\vspace{-\abovedisplayskip}
+\par\nopagebreak\smallskip\noindent\fbox{\hspace{5pt}\begin{minipage}{\dimexpr\linewidth-16.8pt}\vspace{-\abovedisplayskip}
 \begin{align}
   \ddot{\theta} + \frac{g}{l} \sin\theta &= 0 \qquad \text{where $l \neq 0$} \label{ideal-pendulum:motion}
 \end{align}
-\end{minipage}}\par\smallskip
+\end{minipage}\hspace{5pt}}\par\smallskip
 
 
 \subsection*{2\quad Checks}
@@ -62,7 +62,9 @@ def test_exact_output():
 
 def test_several_results_share_a_box_with_their_numbers_inside():
     text = latex.body(*driven_pendulum())
-    box = text.split(r"\fbox{\begin{minipage}{0.97\linewidth}")[1].split(r"\end{minipage}}")[0]
+    box = text.split(r"\fbox{\hspace{5pt}\begin{minipage}{\dimexpr\linewidth-16.8pt}")[1].split(
+        r"\end{minipage}\hspace{5pt}}"
+    )[0]
     assert box.count(r"\label{") == 2
     assert r"\qquad \text{with $r = a + b \cos\omega t$, $\dot{r} = -b \omega \sin\omega t$} \notag" in box
 

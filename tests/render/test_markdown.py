@@ -18,6 +18,7 @@ from lagrange.document.derivation import (
     CheckMark,
     Derivation,
     Detail,
+    Emphasis,
     Equation,
     Ref,
     Rule,
@@ -69,6 +70,10 @@ def body(*blocks, title="T", source=""):
 
 def formulas(text):
     return [a or b for a, b in FORMULA.findall(text)]
+
+
+def test_an_emphasized_word_before_a_formula_has_its_space_outside_the_asterisks():
+    assert "*Without* $x$" in body(prose(Emphasis("Without "), math(x)))
 
 
 def test_exact_output():

@@ -45,7 +45,7 @@ from lagrange.explain.page.meaning import are_solved, operations_of_equations
 from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.page.shorter.reactions import LABEL
 from lagrange.explain.page.system import explain_independence
-from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, spoken
+from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, spoken, the
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.results import InCoordinates, Solution, values_in
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
@@ -432,13 +432,18 @@ def _impact(solution: Solution) -> Iterator[Equation]:
     for n, pair in enumerate(by_one_velocity(after).items()):
         yield Equation(pair, condition=("just after",) if n == 0 else ())
     called = {i.symbol: spoken(i.name) for i in motion.impulses}
+    singles = [(i.symbol, i.reaction.single) for i in motion.impulses]
+    acting = {s: ("the impulse on ", the(single.on), " along ", math(single.direction.as_sum()))
+              for s, single in singles if single is not None and single.direction is not None
+              and all(c.is_number for c in single.direction.components)}  # fmt: skip
     none = [s for s, value in given.items() if value == 0]
     for symbol, value in given.items():
         if value != 0:
-            yield Equation((symbol, value), condition=("the impulse of ", called[symbol]))
+            yield Equation((symbol, value), condition=acting.get(symbol, ("the impulse of ", called[symbol])))
     if none:
         of = joined(called[s] for s in none)
-        yield Equation((*none, sp.S.Zero), condition=(plural(len(none), "the impulse of ", "the impulses of "), of))
+        these = (plural(len(none), "the impulse of ", "the impulses of "), of)
+        yield Equation((*none, sp.S.Zero), condition=acting.get(none[0], these) if len(none) == 1 else these)
     struck = motion.full.loads or motion.full.torques
     if not motion.is_driven and not struck and motion.energy_lost != 0:
         letters = energy_symbols(solution)

@@ -168,10 +168,10 @@ def explain_independence(solution: Solution, view: InCoordinates) -> Prose | Non
     related = f"{names} {plural(len(view.coordinates.satisfied), 'relates', 'relate')} them."
     many, few = (in_words(n, "of").split()[0] for n in (size, number))
     if number == 1:
-        return prose(*map(math, chosen), f" can be chosen freely; the {many} coordinates of the file cannot, since ",
+        return prose(*map(math, chosen), f" can be chosen freely; the {many} coordinates above cannot, since ",
                      related)  # fmt: skip
     relation = "finite relation" if view.configuration.rows else "relation"
-    return prose(f"These {few} coordinates are independent, with no {relation} between them; the {many} of the file "
+    return prose(f"These {few} coordinates are independent, with no {relation} between them; the {many} above "
                  "are not, since ", related)  # fmt: skip
 
 

@@ -17,6 +17,7 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.bearings import circle_through
 from lagrange.pictures.floats import FloatVector, NoValueError, inner
+from lagrange.pictures.limits import CURVE_STEP
 from lagrange.pictures.loads import constraint_curve
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import push_sense
@@ -106,8 +107,8 @@ class ConstraintCurves:
                 curve = constraint_curve(self.pose, row, end, self.page, frame, but=turning)
                 if curve is None or len(curve[0]) < 9 or in_line(curve[0][0], curve[0][1:]):
                     continue
-                other = constraint_curve(self.pose.others[0], row, end, self.page, frame, but=turning)
-                same = other is not None and all(min(map(partial(apart, at), curve[0])) < 0.1 for at in other[0][::9])
+                others = [constraint_curve(x, row, end, self.page, frame, but=turning) for x in self.pose.others]
+                same = len(others) > 2 and all(c is not None and _lies_on(c[0], curve[0]) for c in others)
                 if same and not self.tied(reaction, curve[0], self.flat(self.system.at(end))):
                     self.sketch.line(curve[0], StrokeKind.CURVE, closed=curve[1])
 
@@ -165,3 +166,8 @@ class ConstraintCurves:
             reach = (sizes[0] * abs(x) + sizes[1] * abs(y)) / 2 if shape.kind is Outline.BOX else sizes[0]
             moved.append(beyond(at, (x, y), reach))
         return moved
+
+
+def _lies_on(points: Sequence[PagePoint], curve: Sequence[PagePoint]) -> bool:
+    """Whether points lie on a curve of short pieces."""
+    return all(min(map(partial(apart, at), curve)) < CURVE_STEP for at in points[::9])

@@ -25,7 +25,7 @@ from lagrange.pictures.shapes import plane_rotation
 from lagrange.pictures.systems import ROD, ROPE, SystemPicture
 from lagrange.problem.keys import Keeper, Outline
 
-_HOOP = re.compile(r"\b(hoop|ring|circular wire|circular track|circle)s?\b", re.IGNORECASE)
+_HOOP = re.compile(r"\b(hoops?|ring|circular wire|circular track|circle)\b", re.IGNORECASE)
 _SURFACE = re.compile(
     r"\b(cone|conical|bowl|surface|cylinder|cylindrical|paraboloid|sphere|spherical|dome|funnel|torus|hemisphere)\b",
     re.IGNORECASE,
