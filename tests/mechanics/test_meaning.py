@@ -112,8 +112,9 @@ def test_small_motion_has_the_period_of_the_pendulum(name: str) -> None:
     assert s["g"] / s["l"] in squares
 
 
-def test_several_degrees_of_freedom_get_no_small_motion() -> None:
-    found = meaning(solve(read_problem(Source("spring", SPRING))))
+def test_three_degrees_of_freedom_get_no_small_motion() -> None:
+    third = SPRING.replace("[s, theta]", "[s, theta, q]").replace("gravity", "  C: {mass: m, position: q*i}\ngravity")
+    found = meaning(solve(read_problem(Source("spring", third))))
     assert found is not None
     assert found.small is None
 

@@ -31,12 +31,12 @@ from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
-from lagrange.explain.page.combined import explain_combined
-from lagrange.explain.page.course import explain_released, explain_sense, explain_swinging
-from lagrange.explain.page.limiting import explain_limit, explain_massless
+from lagrange.explain.page.conclusions.combined import explain_combined
+from lagrange.explain.page.conclusions.course import explain_released, explain_sense, explain_swinging
+from lagrange.explain.page.conclusions.limiting import explain_limit, explain_massless
+from lagrange.explain.page.conclusions.positions import explain_rest
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
-from lagrange.explain.page.positions import explain_rest
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.circular_motion import Turning

@@ -14,7 +14,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
 from lagrange.document.derivation import Equation, Mathematics, Part, Rule, listed, math, series
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
-from lagrange.explain.page.positions import stability_of
+from lagrange.explain.page.conclusions.positions import stability_of
 from lagrange.explain.reactions import reaction_lines
 from lagrange.explain.rest.equilibrium import stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions

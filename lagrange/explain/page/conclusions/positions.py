@@ -10,7 +10,7 @@ import sympy as sp
 from lagrange.core.expression_size import count_operations
 from lagrange.document.derivation import Block, Emphasis, Part, Purpose, listed, math, prose
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS
-from lagrange.explain.page.limiting import period_of
+from lagrange.explain.page.conclusions.limiting import period_of
 from lagrange.explain.rest.equilibrium import but_for_drift
 from lagrange.explain.words import in_words, sign_conditions
 from lagrange.mechanics.equilibrium.linear_stability import Ground

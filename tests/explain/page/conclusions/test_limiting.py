@@ -7,7 +7,7 @@ import sympy as sp
 
 from lagrange.core.symbols import prime
 from lagrange.document.derivation import Prose
-from lagrange.explain.page.limiting import explain_limit, explain_massless, period_of
+from lagrange.explain.page.conclusions.limiting import explain_limit, explain_massless, period_of
 from lagrange.mechanics.consequences.limiting_cases import LimitingCase, MasslessBodies, Named, NamedMotion
 
 x, g, k, m = (sp.Symbol(n, positive=True) for n in ("x", "g", "k", "m"))

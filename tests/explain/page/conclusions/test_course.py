@@ -6,7 +6,7 @@ import sympy as sp
 
 from lagrange.core.symbols import prime
 from lagrange.document.derivation import Math, Prose
-from lagrange.explain.page.course import explain_released, explain_sense, explain_swinging
+from lagrange.explain.page.conclusions.course import explain_released, explain_sense, explain_swinging
 from lagrange.mechanics.consequences.course import Released, Sense, SwingingRate
 
 q, W, mu, alpha = (sp.Symbol(n, real=True) for n in ("q", "W", "mu", "alpha"))

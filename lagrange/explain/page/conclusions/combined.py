@@ -27,20 +27,21 @@ def explain_combined(found: Sequence[Combination], motion: EquationsOfMotion) ->
 
 
 def _sum(c: Combination, motion: EquationsOfMotion) -> tuple[Part, ...]:
-    terms: list[tuple[Part, ...]] = []
-    for m, e in zip(c.equations, motion.equations, strict=True):
-        reference: tuple[Part, ...] = (Ref(label_from_principle(motion, e)),)
-        terms += [_times(m, reference)] if m != 0 else []
-    for m, row in zip(c.constraints, motion.completing, strict=True):
-        label = f"with{suffix_of(motion.configuration.name)}-{row.name}"
-        terms += [_times(m, ("the time derivative of ", Ref(label)))] if m != 0 else []
-    if len(terms) == 2 and terms[1][1:2] == (" times ",) and terms[1][0] == math(sp.S.NegativeOne):
-        return (*terms[0], " minus ", *terms[1][2:])
+    suffix = suffix_of(motion.configuration.name)
+    whats: list[tuple[sp.Expr, tuple[Part, ...]]] = [
+        *((m, (Ref(label_from_principle(motion, e)),)) for m, e in zip(c.equations, motion.equations, strict=True)),
+        *((m, ("the time derivative of ", Ref(f"with{suffix}-{row.name}")))
+          for m, row in zip(c.constraints, motion.completing, strict=True)),
+    ]  # fmt: skip
+    used = [(m, what) for m, what in whats if m != 0]
+    if len(used) == 2 and used[1][0] == -1:
+        return (*_times(*used[0]), " minus ", *used[1][1])
+    terms = [_times(m, what) for m, what in used]
     return terms[0] if len(terms) == 1 else ("the sum of ", *series(terms))
 
 
-def _times(m: object, what: tuple[Part, ...]) -> tuple[Part, ...]:
+def _times(m: sp.Expr, what: tuple[Part, ...]) -> tuple[Part, ...]:
     if m == 1:
         return what
     factor = math(m)
-    return (factor, " times ", *what) if not getattr(m, "is_Add", False) else ("(", factor, ") times ", *what)
+    return ("(", factor, ") times ", *what) if m.is_Add else (factor, " times ", *what)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagrange.document.derivation import Block, Math, Prose
-from lagrange.explain.page.positions import explain_rest
+from lagrange.explain.page.conclusions.positions import explain_rest
 from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import load
