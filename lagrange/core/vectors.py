@@ -37,6 +37,7 @@ for tops and discs: ω then contains ψ' but not ψ. A planar body turns about k
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import takewhile
 
 import sympy as sp
 
@@ -86,6 +87,18 @@ class Vector:
     def zero(cls, triad: Triad = FIXED) -> Vector:
         """The vector 0."""
         return cls((sp.S.Zero, sp.S.Zero, sp.S.Zero), triad)
+
+    @classmethod
+    def total(cls, vectors: Iterable[Vector], triad: Triad = FIXED) -> Vector:
+        """The sum of any number of vectors, each component put together once; 0 in `triad` if there are none."""
+        terms = [v for v in vectors if not v.is_zero]
+        if not terms:
+            return cls.zero(triad)
+        own = terms[0].triad
+        along = list(takewhile(lambda v: v.triad == own, terms))  # in their own triad as long as that is possible
+        sums = cls(_three(sp.Add(*parts) for parts in zip(*(v.components for v in along), strict=True)), own)
+        rest = terms[len(along) :]
+        return cls.total(v.fixed() for v in (sums, *rest)) if rest else sums
 
     @property
     def is_zero(self) -> bool:

@@ -358,7 +358,7 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str], turning: C
     lines = []
     for kind, label, terms in (("R", "reaction", body.reactions), ("Gamma", "couple", body.moments)):
         if terms:
-            total = sum((g * r.force for r, g in terms), Vector.zero(terms[0][1].triad))
+            total = Vector.total((g * r.force for r, g in terms), terms[0][1].triad)
             lines.append(Equation((VectorSymbol(f"{kind}_{name}"), total), label=f"{label}-{name}"))
     its, force = plural(len(body.bound), "its", "their"), plural(len(body.bound), "the reaction", "their sum")
     moment = f"{its} moment about the mass centre"

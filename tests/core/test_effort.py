@@ -5,7 +5,7 @@ Work in which SymPy puts no sums and products together.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 
 import pytest
@@ -25,6 +25,7 @@ from lagrange.core.effort import (
     unlimited,
     within,
 )
+from tests.support.work import units
 
 
 def expanded(letters: str) -> sp.Expr:
@@ -171,12 +172,6 @@ def twice(depth: int) -> sp.Expr:
     for _ in range(depth):
         e = sp.Function("f")(e, e)
     return e
-
-
-def units(work: Callable[[], object]) -> float:
-    with allowed(10**9) as allowance:
-        work()
-    return allowance.units - allowance.left
 
 
 def test_walks_are_counted_by_occurrences() -> None:

@@ -11,6 +11,7 @@ import sympy as sp
 from lagrange.core import vectors
 from lagrange.core.symbols import Slots, prime, t
 from lagrange.core.vectors import FIXED, Triad, Vector, cylindrical, polar, spherical
+from tests.support.work import units
 
 r, theta, phi, z = sp.symbols("r theta phi z", real=True)
 SLOTS = Slots((r, theta, phi, z))
@@ -138,3 +139,21 @@ def test_the_first_vector_points_from_the_origin() -> None:
 
 def test_names_of_axes() -> None:
     assert vectors.axis_names("top")[0] != vectors.names_before_last("top")[0]
+
+
+def test_the_sum_of_many_vectors(triad: Triad) -> None:
+    """As added one by one; zero vectors do not count, also not for the triad."""
+    turning = [Vector((sp.Integer(k), r**k, sp.sin(k * theta)), triad) for k in range(1, 5)]
+    fixed = Vector((r, theta, phi))
+    for some in (turning, [fixed, *turning], [Vector.zero(), *turning, fixed], turning[:1]):
+        one_by_one = Vector.zero()
+        for v in some:
+            one_by_one = one_by_one + v
+        assert Vector.total(some) == one_by_one
+    assert Vector.total([Vector.zero(), turning[0]]).triad == triad
+    assert Vector.total([], triad) == Vector.zero(triad)
+
+
+def test_the_sum_of_many_vectors_takes_one_addition() -> None:
+    directions = [Vector((a, 2 * a, -a)) for a in sp.symbols("a1:101")]
+    assert units(lambda: Vector.total(directions)) < 1000

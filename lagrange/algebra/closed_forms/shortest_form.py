@@ -12,10 +12,12 @@ import sympy as sp
 from lagrange.algebra.closed_forms.limits import INNER_FRACTION, LONGEST_REWRITTEN
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
+from lagrange.core.symbols import sign_in_range
 
 
 def shortest_form(e: sp.Expr) -> sp.Expr:
     """The expression in the shortest of its forms."""
+    e = without_moduli(e) if e.has(sp.Abs) else e
     if e.is_Atom or count_operations(e) > LONGEST_REWRITTEN:
         return e
     forms = [e]
@@ -30,6 +32,12 @@ def shortest_form(e: sp.Expr) -> sp.Expr:
         forms.append(textbook_form(e))
     candidates = [_as_tangents(f) for f in forms]
     return min(candidates, key=lambda f: (reading_length(f), forms.index(f) if f in forms else 0))
+
+
+def without_moduli(e: sp.Expr) -> sp.Expr:
+    """sin α for |sin α| of an acute angle."""
+    signs = {f: sign_in_range(f.args[0]) for f in e.atoms(sp.Abs)}
+    return e.xreplace({f: sign * f.args[0] for f, sign in signs.items() if sign is not None})
 
 
 def reading_length(e: sp.Expr) -> int:
@@ -61,11 +69,13 @@ def by_stated_root(e: sp.Expr, power: sp.Expr, value: sp.Expr) -> sp.Expr:
 
 def _by_root(term: sp.Expr, base: sp.Expr, root: sp.Expr, most: int) -> sp.Expr | None:
     """A product with a power of `base` for that of its root with which no other roots are left; None without one."""
-    for n in sorted(range(-most, most + 1), key=abs):
+    forms = []
+    for n in sorted(range(-most, most + 1), key=lambda n: (abs(n), n < 0)):
         rest = sp.expand_power_base(term * sp.expand_power_base(root**-n))
         if all(p.exp.is_Integer for p in rest.atoms(sp.Pow)):
-            return rest * base**n
-    return None
+            forms.append(rest * base**n)
+    # ½ l cos θ rather than a/cos² θ, which has as many operations
+    return min(forms, key=lambda form: count_operations(form) + sp.fraction(form)[1].has(base), default=None)
 
 
 def in_sines(e: sp.Expr) -> sp.Expr:

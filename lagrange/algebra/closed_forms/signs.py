@@ -100,7 +100,8 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     growing = {e: 1 + sp.Dummy(positive=True) for e in f.atoms(sp.exp) if _of_product(e.args[0], known) == 1}
     if growing:
         return _of_product(_factored(sp.expand(f.xreplace(growing))), known)
-    roots = {p for term in f.args for p in sp.Mul.make_args(term) if p.is_Pow and p.exp == sp.S.Half}
+    factors = (p for term in f.args for p in sp.Mul.make_args(term))
+    roots = {p for p in factors if p.is_Pow and p.exp == sp.S.Half and not p.base.is_number}
     if len(roots) == len(f.args) == 2:
         return _of_two_roots(f, known)
     if roots:
@@ -201,7 +202,10 @@ def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple
     positive = tuple(positive)
     sign = sign_of(expression, positive)
     if sign is None:
-        return (_compared(expression, "≥", positive),)
+        condition = _compared(expression, "≥", positive)
+        if condition.lhs.is_positive and condition.rhs == 0:  # a − b where √a > √b is known
+            return ()
+        return (condition,)
     return () if sign >= 0 else None
 
 
@@ -244,7 +248,7 @@ def different_from_zero(expression: sp.Expr) -> tuple[SignCondition, ...]:
 def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] = ()) -> SignCondition:
     """e ≥ 0 with the negative terms brought to the other side: k l ≥ m g."""
     primitive = _without_positive_factors(expression, positive)
-    primitive = _without_common_power(primitive)
+    primitive = _without_positive_factors(_without_common_power(primitive), positive)
     primitive = (_without_root if relation != "≠" else _zero_without_root)(primitive, positive)
     primitive = _as_angles(primitive, positive)
     terms = sp.Add.make_args(sp.expand(primitive))

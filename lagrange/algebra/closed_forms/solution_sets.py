@@ -85,7 +85,12 @@ class SolutionSet:
 
     def at(self, point: Values, e: sp.Expr) -> sp.Expr:
         """An expression at a point of a branch. Raises NotAlgebraicError."""
-        return self.letters.write(self._with_roots(resolved(self.letters.read(e), point), point))
+        # Few sines and symbols occur in many terms: each is evaluated by itself, and the terms are put together once.
+        values = {part: self._part_at(point, part) for part in parts(e)}
+        return e.xreplace({part: value for part, value in values.items() if value != part})
+
+    def _part_at(self, point: Values, part: sp.Expr) -> sp.Expr:
+        return self.letters.write(self._with_roots(resolved(self.letters.read(part), point), point))
 
     def _with_roots(self, value: sp.Expr, point: Values) -> sp.Expr:
         """A value with the letters of roots replaced; roots may be nested, √|x|."""
@@ -164,6 +169,23 @@ def at_numbers(b: Branch, expression: sp.Expr, unknowns: Sequence[sp.Symbol]) ->
     value = expression.xreplace({r.lhs: r.rhs for r in b.relations if r.lhs in unknowns and r.rhs.is_number})
     is_known = value.free_symbols.isdisjoint(unknowns) and not value.has(sp.zoo, sp.nan, sp.oo)
     return sp.factor(value) if is_known else None
+
+
+def parts(e: sp.Expr) -> Iterator[sp.Expr]:
+    """The symbols, functions and roots of which an expression consists by sums, products and whole powers."""
+    seen: set[sp.Expr] = set()
+    left = [e]
+    while left:
+        part = left.pop()
+        if part in seen:
+            continue
+        seen.add(part)
+        if part.is_Add or part.is_Mul:
+            left.extend(part.args)
+        elif part.is_Pow and part.exp.is_Integer:
+            left.append(part.base)
+        elif part.is_Symbol or part.args:
+            yield part
 
 
 def resolved(e: sp.Expr, values: Values) -> sp.Expr:

@@ -161,12 +161,14 @@ def _of_another_inertia(name: str, claim: sp.Expr, motion: ImpulsiveMotion, prob
             for d, c in zip(draws, claims, strict=True)
         ):
             return f"without `{group}`, as if nothing were held there"
+    if point := _about_another_point(m, motion, number, claims, draws):
+        return point
     for changed, clause in _with_other_inertias(m):
         if all(
             (v := d.velocity(changed, number)) is not None and _close(v, c) for d, c in zip(draws, claims, strict=True)
         ):
             return clause
-    return _about_another_point(m, motion, number, claims, draws)
+    return _from_the_right_momentum(m, motion, number, claims, draws)
 
 
 def _with_other_inertias(m: Mechanics) -> Iterator[tuple[Mechanics, str]]:
@@ -200,7 +202,14 @@ def _about_another_point(
             for d, c in zip(draws, claims, strict=True)
         ):
             return f"for the moment of inertia about {point}, but here the body turns about another point"
-    if len(motion.equations) != 1:
+    return None
+
+
+def _from_the_right_momentum(
+    m: Mechanics, motion: ImpulsiveMotion, number: int, claims: list[sp.Expr], draws: list[_Draw]
+) -> str | None:
+    """The same for any other change of I."""
+    if len(motion.equations) != 1 or any(abs(a) > _SMALL for d in draws for a in d.drift):
         return None
     for name in dict.fromkeys(i.name for i in m.inertias):
         others = replace(m, inertias=tuple(i for i in m.inertias if i.name != name))

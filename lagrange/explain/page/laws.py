@@ -269,9 +269,7 @@ def _reaction_line(body: FreeBody, units: Directions) -> Equation | None:
     if not body.reactions:
         return None
     name = VectorSymbol(f"R_{body.name}")
-    total = body.reactions[0][1] * body.reactions[0][0].force
-    for r, along in body.reactions[1:]:
-        total = total + along * r.force
+    total = Vector.total((along * r.force for r, along in body.reactions), body.reactions[0][1].triad)
     is_along_unit = sum(c != 0 for c in total.components) == 1 and total.triad.directions is not None
     if not is_along_unit and all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
         directed = ((r, unit_along(direction, units)) for r, direction in body.reactions)

@@ -270,13 +270,10 @@ def _reduced(case: Iterable[sp.Expr], slots: Slots) -> tuple[sp.Expr, ...] | Non
         conditions = list(left)
     moved = [q for q in slots.coordinates if any(c.has(q) for c in conditions)]
     at_zero = dict.fromkeys(moved, sp.S.Zero)
-    slopes = [[c.diff(q) for q in moved] for c in conditions]
-    if (
-        not any(c.xreplace(at_zero) for c in conditions)
-        and all(e.is_number for row in slopes for e in row)
-        and rank(slopes) == len(moved)
-    ):
-        conditions = list(moved)
+    if not any(c.xreplace(at_zero) for c in conditions):
+        slopes = [[c.diff(q) for q in moved] for c in conditions]
+        if all(e.is_number for row in slopes for e in row) and rank(slopes) == len(moved):
+            conditions = list(moved)
     return tuple(sorted(conditions, key=lambda c: slots.coordinates.index(c) if c in slots.coordinates else -1))
 
 
@@ -316,8 +313,11 @@ def _rule(conditions: Sequence[sp.Expr], slots: Slots) -> dict[sp.Basic, sp.Expr
     for condition in conditions:
         others = [c for c in conditions if c is not condition]
         for q in sorted(condition.free_symbols.intersection(slots.coordinates), key=str):
-            if abs(condition.diff(q)) == 1 and not any(c.has(q) for c in others):
-                rule[q] = sp.expand(q - condition * condition.diff(q))
+            if any(c.has(q) for c in others):
+                continue
+            slope = condition.diff(q)
+            if abs(slope) == 1:
+                rule[q] = sp.expand(q - condition * slope)
                 break
     return rule
 

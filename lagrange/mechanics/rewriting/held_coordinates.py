@@ -14,7 +14,7 @@ momentum are linear equations with constant coefficients, N_A = (m g c + F h)/(b
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
@@ -203,14 +203,28 @@ def _forces(solution: Solution, rule: Values) -> Values | None:
     wanted = [r.force for r in law.newton.reactions]
     unknown = [*wanted, *(a for a in own.configuration.slots.accelerations if a not in rule)]
     laws = [e for e in laws if e != 0]
-    rows = [[sp.expand(e).diff(u) for u in unknown] for e in laws]
-    if any(
-        e.has(sp.Abs, Sign, sp.sign) or c.free_symbols & {*unknown} for e, r in zip(laws, rows, strict=True) for c in r
-    ):
+    rows = [_coefficients(e, unknown) for e in laws]
+    if any(e.has(sp.Abs, Sign, sp.sign) for e in laws) or any(r is None for r in rows):
         return None
     rest = dict.fromkeys(unknown, sp.S.Zero)
-    solved = solved_linear(rows, [-e.xreplace(rest) for e in laws], own.configuration.states)
+    solved = solved_linear(
+        [r for r in rows if r is not None], [-e.xreplace(rest) for e in laws], own.configuration.states
+    )
     if solved is None or any(v is None for v in solved):
         return None
     pairs = zip(wanted, solved, strict=False)
     return {name: min(v, sp.factor(v), key=count_operations) for name, v in pairs if v is not None}
+
+
+def _coefficients(e: sp.Expr, unknown: Sequence[sp.Symbol]) -> list[sp.Expr] | None:
+    """The coefficients of unknowns, shape (len(unknown),), in one walk over the terms; None if e is not linear."""
+    shares: dict[sp.Expr, list[sp.Expr]] = {u: [] for u in unknown}
+    for term in sp.Add.make_args(sp.expand(e)):
+        occurring = term.free_symbols & shares.keys()
+        if not occurring:
+            continue
+        coefficient, rest = term.as_independent(*occurring, as_Add=False)
+        if rest not in shares:
+            return None
+        shares[rest].append(coefficient)
+    return [sp.Add(*share) for share in shares.values()]

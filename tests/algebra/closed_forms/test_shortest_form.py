@@ -11,6 +11,7 @@ from lagrange.algebra.closed_forms.shortest_form import (
     with_whole_contents,
     without_leading_minus,
 )
+from lagrange.core.symbols import Bounded
 
 alpha = sp.Symbol("alpha", real=True)
 a, b, c = sp.symbols("a b c", positive=True)
@@ -79,3 +80,10 @@ def test_roots_by_the_cosine_of_which_a_power_is_stated() -> None:
         assert by_stated_root(e, stated, value) == e, "other roots, and none"
     root = sp.sqrt(a) * b
     assert by_stated_root(root, cosine**2, a) == root, "the sign of the cosine is open"
+
+
+def test_the_modulus_of_what_has_a_sign() -> None:
+    acute, angle = Bounded("alpha", sp.S.Zero, sp.pi / 2, (True, True)), sp.Symbol("theta", real=True)
+    assert shortest_form(abs(sp.sin(acute)) / 2) == sp.sin(acute) / 2
+    assert shortest_form(abs(-sp.cos(acute))) == sp.cos(acute)
+    assert shortest_form(abs(sp.sin(angle))) == abs(sp.sin(angle))

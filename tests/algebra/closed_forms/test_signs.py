@@ -133,6 +133,11 @@ def test_square_roots_on_both_sides_are_squared() -> None:
     assert not_negative(sp.sqrt(a) - sp.sqrt(2) * sp.sqrt(c), [a - 2 * c]) == (), "known of the roots, too"
 
 
+def test_a_squared_condition_has_no_common_factor() -> None:
+    [condition] = not_negative(10 * a - sp.sqrt(a) * sp.sqrt(a + 2 * b)) or ()
+    assert (condition.lhs, condition.relation, condition.rhs) == (99 * a, "≥", 2 * b)
+
+
 def test_a_known_sum_and_what_is_never_negative() -> None:
     assert sign_of(a - 2 * c + 3 * a * sp.sin(x) ** 2, [a - 2 * c]) == 1
     assert sign_of(2 * c - a - 3 * a * sp.sin(x) ** 2, [a - 2 * c]) == -1

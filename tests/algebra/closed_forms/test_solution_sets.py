@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.solution_sets import Branch, plain_sides
+from lagrange.algebra.closed_forms.solution_sets import Branch, parts, plain_sides
+from lagrange.algebra.exact.zero_test import is_zero
 from tests.support.found_solutions import ALPHA, POSITIVE
+from tests.support.work import units
 
 ANGLES = {n: sp.Symbol(n, real=True) for n in ["theta", "phi", "psi"]}
 PLAIN = {n: sp.Symbol(n, real=True) for n in ["x", "y", "z", "u", "v", "P", "Q"]}
@@ -105,6 +109,27 @@ def test_branches_within_others_are_dropped_with_what_is_left() -> None:
 
 def symbols_of(names: str) -> list[sp.Symbol]:
     return [NAMES[n] for n in names.split()]
+
+
+def test_an_expression_at_a_point_is_put_together_once() -> None:
+    """The value is that of all letters substituted in the whole; the work is not that of walking through it each time."""
+    theta, x, b = ANGLES["theta"], PLAIN["x"], POSITIVE["b"]
+    found = solutions([read("a*sin(theta) - b*cos(theta)"), read("x^2 - a*b")], [theta, x])
+    harmonics = [sp.Symbol(f"s{k}") * (k * sp.sin(theta) + b * sp.cos(theta) * sp.cos(2 * theta)) for k in range(1, 40)]
+    e = sp.Add(*harmonics, x**3, sp.sqrt(1 + sp.sin(theta)) / (2 + sp.tan(theta)))
+    for point in [p for branch in found.branches for p in branch.points]:
+        in_the_whole = partial(found._part_at, point, e)
+        value = found.at(point, e)
+        assert theta not in value.free_symbols
+        assert x not in value.free_symbols
+        assert is_zero(value - in_the_whole()) is True
+        assert units(partial(found.at, point, e)) < units(in_the_whole) / 1.5
+
+
+def test_the_parts_of_an_expression() -> None:
+    theta, x, a = ANGLES["theta"], PLAIN["x"], POSITIVE["a"]
+    e = (a + 3 * sp.sin(theta) ** 2) ** -2 * sp.sqrt(x + a) + sp.pi + sp.sin(theta) * abs(x)
+    assert {*parts(e)} == {a, sp.sin(theta), sp.sqrt(x + a), abs(x)}
 
 
 def test_sides_of_a_relation_between_positive_letters() -> None:

@@ -13,11 +13,13 @@ import sympy as sp
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import t
 from lagrange.explain.report import report
+from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.degeneracies import RankLoss
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
 from tests.support.exterior import rank, real_point
+from tests.support.work import units
 
 Read = Callable[[str], Problem]
 
@@ -221,3 +223,12 @@ def test_constraints_that_need_one_more(
             solve(problem(text(coordinates, f"{constraints}, more: {condition} = 0"))).classification.rank
             == independent
         )
+
+
+def test_nested_functions_are_differentiated_only_where_a_derivative_decides(problem: Read) -> None:
+    """f(f(... f(x + y, y) ..., y), y) = l: both derivatives are products of many functions, none of which is zero at 0."""
+    nested = "x + y"
+    for _ in range(10):
+        nested = f"f({nested}, y)"
+    read = problem(text("x, y", f"c: '{nested} = l'", "[l]") + "functions: {f: [X, Y]}\n")
+    assert units(lambda: classify(read)) < 150_000

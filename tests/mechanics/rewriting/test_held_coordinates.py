@@ -11,6 +11,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Source
 from lagrange.core.symbols import prime
 from lagrange.mechanics.rewriting.held_coordinates import (
+    _coefficients,
     held_together,
     held_values,
     in_remaining_velocities,
@@ -19,6 +20,7 @@ from lagrange.mechanics.rewriting.held_coordinates import (
 )
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
+from tests.support.work import units
 
 BOWL = """title: A ball in a bowl
 parameters: {m: positive, r: positive, R: positive, h: real, g: positive}
@@ -117,3 +119,18 @@ def test_what_is_not_held_together(constraints: str) -> None:
     head, _, rest = CAR.partition("  front:")
     text = f"{head}  {constraints}\n{rest[rest.index('gravity') :]}"
     assert held_together(solve(read_problem(Source("car.yaml", text)), complete=False)) is None
+
+
+def test_the_coefficients_of_forces_in_a_law() -> None:
+    a, b, N, T = sp.symbols("a b N T", real=True)
+    e = (a + b) * (N - sp.sin(a) * T) + b * N / 2 + a**2
+    assert _coefficients(e, [N, T]) == [sp.expand(e).diff(u) for u in (N, T)]
+    assert _coefficients(a * b, [N, T]) == [0, 0]
+    for other in (N * T + N, N**2 + T, sp.sqrt(N), sp.sin(N) * T, sp.Abs(N - a)):
+        assert _coefficients(other, [N, T]) is None
+
+
+def test_the_coefficients_of_many_forces_take_one_walk() -> None:
+    few, many = (sp.symbols(f"N1:{n + 1}") for n in (50, 200))
+    works = [units(lambda some=some: _coefficients(sp.Add(*(3 * N for N in some)), some)) for some in (few, many)]
+    assert works[1] < 6 * works[0]
