@@ -16,7 +16,7 @@ import sympy as sp
 from lagrange.core.symbols import UnitVector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, unit
-from lagrange.pictures.limits import CURVE_STEPS, SAME_ON_PAGE, SURFACE_FACES
+from lagrange.pictures.limits import CURVE_STEPS, NEARLY_FLAT, SAME_ON_PAGE, SURFACE_FACES
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, overlapping, toward
 from lagrange.pictures.solids import LIGHT, Solids
 from lagrange.pictures.springs_dampers import draw_damper, draw_spring
@@ -32,9 +32,6 @@ _STROKES = {
     Drawn.OUTLINES: StrokeKind.BODY,
     Drawn.CURVE: StrokeKind.CURVE,
 }
-
-NEARLY_FLAT = 0.35
-"""Least difference of brightness for which a surface is shaded."""
 
 
 @dataclass

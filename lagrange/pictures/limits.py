@@ -47,6 +47,12 @@ curve would wind inside it."""
 CURVE_STEPS = 64
 SURFACE_FACES = 14
 """Pieces of a curve, and of a surface in each direction."""
+PIECES_OF_PROFILE, PIECES_OF_TURN = 10, 24
+"""Pieces of a surface of coordinates along a distance, and of a turn: at 15 degrees its rim looks round."""
+BEYOND_PARTICLE = 1.35
+"""How far such a surface goes on beyond its particle, as a part of its distance: enough to be inside it."""
+NEARLY_FLAT = 0.5
+"""Least difference of brightness for which a surface is shaded. The generic surface has 0.33, a bowl 0.97."""
 
 SAME_PLACE = 1e-7
 """How far numbers of two places may differ: the constraints hold to 1e-11; a motion of another kind differs by far

@@ -55,7 +55,6 @@ from lagrange.pictures.systems import ROD, SystemPicture, is_string, rod_ends
 from lagrange.problem.model import BodyShape, Drawn, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
-_COMPASS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 ELLIPSOID = (0.75, 0.55, 0.4)
 """Semi-axes of a body of which nothing is known, in centimetres."""
 
@@ -66,8 +65,9 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
         try:
             implied = with_implied_shapes(system)
             in_space = constraints_in_space(implied)
+            compass = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
             circles = [*hoops(implied), *cylinders_touched(implied)]
-            around = (*in_space.places, *(plus(c, (r * x, r * y, 0.0)) for c, r in circles for x, y in _COMPASS))
+            around = (*in_space.places, *(plus(c, (r * x, r * y, 0.0)) for c, r in circles for x, y in compass))
             drawing = _Drawing(replace(implied, around=around) if inferred else implied, in_space)
             drawing.all(with_loads, inferred)
         except NoValueError:

@@ -19,7 +19,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, solved
 from lagrange.pictures.joints import holds, turning_point
-from lagrange.pictures.limits import SAME_ON_PAGE, SAME_PLACE
+from lagrange.pictures.limits import BEYOND_PARTICLE, PIECES_OF_PROFILE, PIECES_OF_TURN, SAME_ON_PAGE, SAME_PLACE
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import plane_rotation
 from lagrange.pictures.systems import ROD, ROPE, SystemPicture
@@ -31,10 +31,6 @@ _SURFACE = re.compile(
     re.IGNORECASE,
 )
 _ROUND = re.compile(r"\b(cylinder|drum|circle|circular|sphere|log|barrel|roller|peg)s?\b", re.IGNORECASE)
-_PIECES, _TURNS = 10, 24
-"""Pieces of a surface along a distance, and of a turn."""
-_BEYOND = 1.35
-"""How far a surface goes on beyond a particle, as a part of its distance."""
 
 
 def hoops(system: SystemPicture) -> list[tuple[FloatVector, float]]:
@@ -74,9 +70,10 @@ def surface_of_coordinates(system: SystemPicture, p: MassPoint) -> list[list[Flo
     [angle] = turning
     [distance] = [q for q in own if q != angle]
     here = system.pose.values[distance]
-    rows = [replace(system.pose, values={**system.pose.values, distance: here * _BEYOND * n / _PIECES})
-            for n in range(_PIECES + 1)]  # fmt: skip
-    return [[x.moved(angle, 2 * math.pi * k / _TURNS).at(p.position) for k in range(_TURNS + 1)] for x in rows]
+    sizes = (here * BEYOND_PARTICLE * n / PIECES_OF_PROFILE for n in range(PIECES_OF_PROFILE + 1))
+    rows = [replace(system.pose, values={**system.pose.values, distance: size}) for size in sizes]
+    turns = [2 * math.pi * k / PIECES_OF_TURN for k in range(PIECES_OF_TURN + 1)]
+    return [[x.moved(angle, turn).at(p.position) for turn in turns] for x in rows]
 
 
 def _comes_back(pose: Pose, q: sp.Symbol, place: Vector) -> bool:

@@ -224,3 +224,9 @@ forces:
 find: impending
 """
     assert "tan α = μ    that is tan α = 0.2, α ≈ 11.31°" in box(report(problem(text), complete=False))
+
+
+def test_an_impulse_along_an_axis_says_on_what_it_acts_and_not_which_component_of_a_constraint_it_is() -> None:
+    page = terminal.text(reported("rod-caught-at-an-end").derivation, reported("rod-caught-at-an-end").notation, 80)
+    assert "the impulse on the rod along" in page
+    assert "held 2" not in page
