@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose, series
 from lagrange.explain.words import (
     capital,
@@ -214,10 +213,5 @@ def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[
     if any(pressed[r.name] != m.pressed[r.name] for r in newton.reactions):
         yield prose(plural(len(newton.reactions), "The reaction is then", "The reactions are then"))
         yield display(*(Equation((r.force, pressed[r.name])) for r in newton.reactions), boxed=True)
-    one_sided = [r for r in newton.reactions if r.constraint.side is not None]
-    unsure = [r for r in one_sided if sign_of((1 if r.named else r.constraint.side or 1) * pressed[r.name]) != 1]
-    if unsure:
-        forces = series(
-            (math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in unsure
-        )
-        yield prose("Contact requires ", *forces, ".")
+    if unsure := m.may_be_lifted(newton, pressed):
+        yield prose("Contact requires ", *series((math(f, ZERO, relation="≥"),) for f in unsure.values()), ".")

@@ -91,6 +91,15 @@ class ImpendingMotion:
             for name, f in self.pressed.items()
         }
 
+    def may_be_lifted(self, newton: Newton, pressed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+        """By constraint, the forces of one-sided ones whose sign is not known: contact needs that they are not negative.
+
+        pressed  their values, from `pressed` or `pressed_with`
+        """
+        sides = {r.name: 1 if r.named else r.constraint.side for r in newton.reactions if r.constraint.side is not None}
+        forces = {r.name: sp.Integer(sides[r.name]) * r.force for r in newton.reactions if r.name in sides}
+        return {name: f for name, f in forces.items() if sign_of(sides[name] * pressed[name]) != 1}
+
 
 @record
 class _Statics:
