@@ -92,7 +92,7 @@ class ImpendingMotion:
         }
 
     def may_be_lifted(self, newton: Newton, pressed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
-        """By constraint, the forces of one-sided ones whose sign is not known: contact needs that they are not negative.
+        """By constraint, the forces of one-sided ones whose sign is not known: contact needs them not to be negative.
 
         pressed  their values, from `pressed` or `pressed_with`
         """
