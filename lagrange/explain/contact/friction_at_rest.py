@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose, series
 from lagrange.explain.words import (
     capital,
@@ -215,7 +214,7 @@ def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[
         yield prose(plural(len(newton.reactions), "The reaction is then", "The reactions are then"))
         yield display(*(Equation((r.force, pressed[r.name])) for r in newton.reactions), boxed=True)
     one_sided = [r for r in newton.reactions if r.constraint.side is not None]
-    unsure = [r for r in one_sided if sign_of((1 if r.named else r.constraint.side or 1) * pressed[r.name]) != 1]
+    unsure = [r for r in one_sided if m.may_part(r, pressed[r.name])]
     if unsure:
         forces = series(
             (math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in unsure

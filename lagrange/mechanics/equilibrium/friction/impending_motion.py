@@ -45,7 +45,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration, Load
 from lagrange.mechanics.dynamics.contact.touching import point_on
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces, unpressed
-from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, at_position, equilibrium
 from lagrange.mechanics.equilibrium.friction.balance import BeltLaw, RoughContact, belt_laws, held_coordinates
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
@@ -82,6 +82,10 @@ class ImpendingMotion:
     equilibrium: Equilibrium
     held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     place: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    def may_part(self, r: Reaction, force: sp.Expr) -> bool:
+        """Whether the force of a one-sided constraint is not known to act to the permitted side."""
+        return sign_of((1 if r.named else r.constraint.side or 1) * force) != 1
 
     def pressed_with(self, b: Branch) -> dict[str, sp.Expr]:
         """The reactions, by constraint, with the unknown forces that an equilibrium gives."""
