@@ -41,6 +41,9 @@ HIGHEST_POWER_OF_UNIT = 2
 MOST_AT_REST = 2
 """The most coordinates of a system whose positions of rest are sought without being asked for."""
 
+UNITS_AT_REST = 60_000
+"""Work (`core.effort`) for them, half of what a page may take: what a page says unasked must not cost it the rest."""
+
 LONGEST_COMBINED = 400
 """The most operations of equations of motion, constraints and stated equations of which multiples are sought."""
 

@@ -19,6 +19,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.effort import within
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
@@ -39,6 +40,7 @@ from lagrange.mechanics.limits import (
     LONGEST_WITH_LIMITS,
     LONGEST_WITH_UNITS,
     MOST_AT_REST,
+    UNITS_AT_REST,
 )
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
@@ -155,10 +157,10 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     problem = solution.problem
     taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
     try:
-        small = linearization(motion, taken)
+        small = within(UNITS_AT_REST, lambda: linearization(motion, taken))
     except NotCoveredError:
         return None
-    if not small.complete:
+    if small is None or not small.complete:
         return None
     here = [k for k, b in enumerate(small.branches) if not (_is_let_go(solution, view, b) or _is_at_end(view, b))]
     small = replace(small, branches=tuple(small.branches[k] for k in here), at=tuple(small.at[k] for k in here))

@@ -55,7 +55,11 @@ def test_differences_of_values() -> None:
 @pytest.mark.parametrize(
     ("problem", "stated", "said"),
     [
-        ("rod-falls-on-an-edge", "theta' = 3*a*v/l^2", "the term 3*a^2 in the denominator is missing"),
+        (
+            "rod-falls-on-an-edge",
+            "theta' = 3*a*v/l^2",
+            "this is the velocity for the moment of inertia about the mass centre",
+        ),
         ("bell-and-clapper", "I_2 = m*b*((M*a^2 + I_1)/(M*a) - l - b)", "the term m*l in the denominator is missing"),
         ("bead-on-rotating-hoop", "cos(theta) = g/(Omega^2*R): omega = Omega", "without g, as if g = 0"),
     ],

@@ -39,7 +39,7 @@ def test_positions_and_forces_are_in_one_display() -> None:
 @pytest.mark.parametrize(
     ("name", "sentence"),
     [
-        ("ex04-dumbbell", "These five coordinates are independent, with no relation between them; the six of the file"),
+        ("ex04-dumbbell", "These five coordinates are independent, with no relation between them; the six above are"),
         ("ex06-two-particle-skate", "These three coordinates are independent, with no finite relation between them;"),
         ("ex11-ideal-pendulum", ""),
         ("statics/crate-tips-or-slides", ""),
