@@ -41,6 +41,10 @@ HIGHEST_POWER_OF_UNIT = 2
 MOST_AT_REST = 2
 """The most coordinates of a system whose positions of rest are sought without being asked for."""
 
+MOST_LETTERS_AT_REST = 3
+"""The most parameters in the equations of two coordinates for this: with more, the frequencies are long roots. The
+general double pendulum would take five times as long for a line."""
+
 UNITS_AT_REST = 60_000
 """Work (`core.effort`) for them, half of what a page may take: what a page says unasked must not cost it the rest."""
 

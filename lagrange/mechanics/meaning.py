@@ -40,6 +40,7 @@ from lagrange.mechanics.limits import (
     LONGEST_WITH_LIMITS,
     LONGEST_WITH_UNITS,
     MOST_AT_REST,
+    MOST_LETTERS_AT_REST,
     UNITS_AT_REST,
 )
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -150,8 +151,10 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     equations = motion.expressions
     if any(e.has(Unspecified) for e in equations) or sum(map(count_operations, equations)) > LONGEST_WITH_LIMITS:
         return None
-    if len(equations) > 1 and any(e.has(t) for e in equations):
-        return None
+    if len(equations) > 1:
+        letters = {s for e in equations for s in e.free_symbols} & {p.symbol for p in solution.problem.parameters}
+        if len(letters) > MOST_LETTERS_AT_REST or any(e.has(t) for e in equations):
+            return None
     from lagrange.mechanics.equilibrium.linearization import linearization
 
     problem = solution.problem

@@ -33,6 +33,7 @@ from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Problem
 from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.signs import SignCondition
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
@@ -206,14 +207,22 @@ def with_known_values(solution: Solution, values: Values) -> Solution:
     """The solution without the conditions, for equilibria and for single answers, that the values fulfil."""
     equilibria = (e for v in solution.views for e in (v.equilibrium, *(m.equilibrium for m in v.impending or ())))
     stated = [b.conditions for e in equilibria if e is not None for b in e.branches]
+    rest = (there for v in solution.views if v.reactions_at_rest is not None for there in v.reactions_at_rest.at)
+    stated += [tuple(there.contact.values()) for there in rest if there is not None]
     if not any(stated) and not any(b.conditions for a in solution.asked for b in a.branches):
         return solution
     from lagrange.mechanics.equilibrium.in_numbers import open_conditions, without_known_conditions
+
+    def kept(c: SignCondition) -> bool:
+        return bool(open_conditions([c], values))
 
     def known(view: InCoordinates) -> InCoordinates:
         if view.impending:
             limits = (replace(m, equilibrium=without_known_conditions(m.equilibrium, values)) for m in view.impending)
             view = replace(view, impending=tuple(limits))
+        if view.reactions_at_rest is not None:
+            at = tuple(there and there.with_contact(kept) for there in view.reactions_at_rest.at)
+            view = replace(view, reactions_at_rest=replace(view.reactions_at_rest, at=at))
         before = view.equilibrium
         if before is None or (after := without_known_conditions(before, values)) is before:
             return view

@@ -166,7 +166,7 @@ class _Page(Emitter[str]):
             case Emphasis(word=word):
                 inner = word.strip()  # an asterisk beside a space opens nothing
                 before, after = word[: word.index(inner)], word[word.index(inner) + len(inner) :]
-                return f"{before}*{escape(inner)}*{after}" if inner else word
+                return f"{escape(before)}*{escape(inner)}*{escape(after)}" if inner else escape(word)
             case str(text):
                 return escape(text)
 

@@ -241,18 +241,19 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
 
 
 def _words_before(equation: Fragment, fragment: Fragment) -> str:
-    """The words of the sentence before an equation between `$`, without the mathematics in them."""
+    """The words of the sentence before an equation between `$`, without mathematics and the words in \\text."""
     at = equation.span(0, 1).start - fragment.span(0, 1).start
-    before = _INLINE.sub(" ", fragment.text[: max(0, at)]).rstrip(" $:\n")
+    before = _TEXT.sub(" ", _INLINE.sub(" ", fragment.text[: max(0, at)])).rstrip(" $:\n")
     return _END_OF_SENTENCE.split(before)[-1].strip()
 
 
 _INLINE = re.compile(r"\$+[^$]*\$+")
+_TEXT = re.compile(r"\\text\{([^{}]{0,80})\}")
 _END_OF_SENTENCE = re.compile(r"[.;]\s|\n\s*\n")
 
 
 def _words_of(text: str) -> str:
-    return " ".join(re.findall(r"\\text\{([^{}]{0,80})\}", text))
+    return " ".join(_TEXT.findall(text))
 
 
 def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:

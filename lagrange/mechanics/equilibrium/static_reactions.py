@@ -23,7 +23,7 @@ condition that it is not negative, N = m g tan θ ≥ 0 where sin θ ≥ 0: its 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
@@ -143,6 +143,10 @@ class ReactionsAtRest:
     open: tuple[sp.Symbol, ...]
     verified: bool | None
     contact: Mapping[str, SignCondition] = field(default_factory=dict)
+
+    def with_contact(self, kept: Callable[[SignCondition], bool]) -> ReactionsAtRest:
+        """These with some of the conditions of contact."""
+        return replace(self, contact={name: c for name, c in self.contact.items() if kept(c)})
 
     @property
     def rule(self) -> dict[sp.Symbol, sp.Expr]:

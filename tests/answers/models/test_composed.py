@@ -6,7 +6,13 @@ import pytest
 
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment
-from tests.answers.models.slips import examiner
+from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, examiner, name_of
+
+
+@pytest.mark.parametrize("answer", answers_by("composed"), ids=name_of)
+def test_the_cause_is_named(answer: WrongAnswer) -> None:
+    assert_named(answer)
+
 
 OFFSET = "without r in the position, and with phi' subtracted from the angular velocity of `yo_yo`"
 ABSOLUTE = "for `cylinder` turning according to its absolute velocity, X' included"

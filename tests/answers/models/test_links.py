@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from tests.answers.models.slips import feedback_on
+from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, feedback_on, name_of
+
+
+@pytest.mark.parametrize("answer", answers_by("links"), ids=name_of)
+def test_the_cause_is_named(answer: WrongAnswer) -> None:
+    assert_named(answer)
+
 
 OSCILLATORS = "m*x2'' + b*(x2' - x1') + kappa*(x2 - x1 - l) + c*(x2 - L + l) = 0"
 DAMPING = "b*a^2*h^2*sin(theta)^2*theta'/d^2"

@@ -14,6 +14,6 @@ def test_there_are_enough_answers() -> None:
 
 
 def test_every_answer_is_tried_beside_one_module() -> None:
-    modules = ("forces", "groups", "kinematics", "kinetic", "lengths", "pairs", "variable_masses")
+    modules = ("composed", "forces", "groups", "kinematics", "kinetic", "lengths", "links", "pairs", "variable_masses")
     assert sum(len(answers_by(m)) for m in modules) == len(wrong_answers())
     assert all(answers_by(m) for m in modules)
