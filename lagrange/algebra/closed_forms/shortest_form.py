@@ -57,8 +57,8 @@ def by_stated_root(e: sp.Expr, power: sp.Expr, value: sp.Expr) -> sp.Expr:
     has_root = any(not p.exp.is_Integer for p in (e if exponent != 1 else value).atoms(sp.Pow))
     if not (has_root and value.is_positive and exponent.is_Integer and exponent % 2 == 1) or e.has(base):
         return e
-    if count_operations(e) > LONGEST_REWRITTEN:
-        return e
+    if e.is_number or count_operations(e) > LONGEST_REWRITTEN:
+        return e  # sin α = −2/√5 beside cos α = 1/√5
     root = sp.expand_power_base(value ** (1 / exponent))
     terms = [_by_root(term, base, root, int(exponent)) for term in sp.Add.make_args(sp.expand(e))]
     if any(term is None for term in terms):
