@@ -183,7 +183,8 @@ class _Maker:
         """A method of JavaScript: of y or z and p, of the parameters of a curve too, or of p alone."""
         view, own = self.view.configuration.slots, self.own.configuration.slots
         of_page: Argument = ("y", (*view.coordinates, *view.velocities, t))
-        more = () if self.view.is_own else view.coordinates
+        # A choice may keep a coordinate of the file, whose place among those of the file is the one that is varied.
+        more = () if self.view.is_own else tuple(sp.Dummy() if q in own.coordinates else q for q in view.coordinates)
         in_file: Argument = ("z", (*own.coordinates, *own.velocities, t, *more))
         arguments: list[Argument] = [("p", tuple(parameters))]
         if name != "ini":

@@ -7,7 +7,9 @@ import sympy as sp
 
 from lagrange.animation.figure import MovingFigure
 from lagrange.animation.moving import moving_figure
-from lagrange.core.diagnostics import Fragment
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.explain.report import report
+from lagrange.problem.loader import read_problem
 from lagrange.programs.prepared import prepared
 from lagrange.programs.simulation import simulated
 from lagrange.programs.starting import settings_of
@@ -59,6 +61,26 @@ def test_what_is_taken_for_an_open_function_is_said():
     X, Y, Z = sp.symbols("X Y Z", real=True)
     assert taken["f"] == Z - (X**2 + Y**2) / 4
     assert figure.data["rheonomic"]
+
+
+PARABOLA = """title: Skier in a dip
+parameters: {m: 80 kg, g: 9.81 m/s^2, R: 30 m}
+axes: {i: right, j: up}
+coordinates: [x, y]
+particles: {skier: {mass: m, position: x*i + y*j}}
+constraints: {snow: {equation: y >= x^2/(2*R), reaction: N}}
+gravity: -g*j
+generalized_coordinates: {place: {coordinates: [x], substitute: {y: x^2/(2*R)}}}
+"""
+
+
+def test_a_curve_is_followed_along_the_coordinates_of_the_file():
+    """x is a coordinate of the file and of the choice: the page varies z[0] and z[1] and needs f to depend on them."""
+    figure = moving_figure(report(read_problem(Source("x.yaml", PARABOLA))).solution)
+    assert isinstance(figure, MovingFigure)
+    assert figure.data["traced"] == [[0, 1]]
+    traced = figure.code.split("tra0(")[1].split("}")[0]
+    assert {*re.findall(r"z\[(\d+)\]", traced)} == {"0", "1"}
 
 
 def test_equilibria_in_closed_form_have_buttons():
