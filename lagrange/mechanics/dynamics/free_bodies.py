@@ -98,8 +98,8 @@ def placed_freely(configuration: Configuration) -> Placed | None:
     reached: set[int] = set()
     for freedom, needed in everything:
         columns = [k for k in moved if freedom.moves(k)]
-        if not columns or (not needed and reached.issuperset(columns)):
-            continue
+        if not columns or (not needed and sum(len(f.basis) for f in chosen) == len(reached.union(columns))):
+            continue  # the coordinates are placed without it; a bar by its foot and its angle needs both
         reached.update(columns)
         basis: list[int] = []
         used = sum(any(freedom.partials[k].components[n] != 0 for k in columns) for n in range(3))

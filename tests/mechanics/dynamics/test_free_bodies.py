@@ -106,3 +106,20 @@ def test_a_length_that_closes_a_polygon() -> None:
     assert share(chain + a * b * sp.cos(p) - l**2, -(l**2)) is None
     assert share(a**2 + 2 * b**2 - 2 * a * b * sp.cos(p) - l**2, -(l**2)) is None
     assert share(sp.cos(p) ** 2 + u**2 - l**2, -(l**2)) is None
+
+
+@pytest.mark.parametrize("inertia", ["", ", inertia: m*l^2/12"])
+def test_a_bar_may_be_placed_by_its_foot_and_its_angle(problem: Read, inertia: str) -> None:
+    """At rest it needs no inertia: its angle moves its centre, and turns it all the same. N_A + N_B cos θ = m g."""
+    text = (
+        "parameters: {m: positive, g: positive, l: positive, h: positive}\ncoordinates: [x, y, theta]\n"
+        f"bodies: {{bar: {{mass: m{inertia}, position: '[x + l/2*cos(theta), y + l/2*sin(theta)]', angle: theta}}}}\n"
+        "constraints: {floor: {equation: y >= 0, reaction: N_A}, edge: {equation: x*sin(theta) + (h - y)*cos(theta) <= 0}}\n"
+        "gravity: -g*j\nfind: [equilibrium]\n"
+    )
+    law = solution(problem, text).law
+    assert law is not None
+    [floor, _] = law.newton.reactions
+    direction = floor.on("bar")
+    assert direction is not None
+    assert [sp.simplify(c) for c in direction.components] == [0, 1, 0]
