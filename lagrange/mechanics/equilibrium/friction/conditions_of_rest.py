@@ -118,7 +118,10 @@ def positive(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCondit
 
 def vanishing(e: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCondition]:
     """e = 0, as it is written, with a letter that it is solved for on the left."""
-    solved = (_letter_first(c) for c in not_negative(e, wanted, signs))
+    numerator = sp.fraction(sp.together(e))[0]
+    if numerator.is_number and not e.is_number:
+        return [RestCondition(e, sp.S.Zero, "=")]  # 1/(h − x): it never holds
+    solved = (_letter_first(c) for c in not_negative(numerator, wanted, signs))
     return [replace(c, relation="=") for c in solved]
 
 
@@ -132,6 +135,9 @@ def not_negative(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCo
     reduced = _without_signed_factors(shortest(_without_moduli(slack)), signs)
     if reduced is None or signs.of(reduced) in (0, 1):
         return []
+    over, under = sp.fraction(reduced)
+    if over.is_number and not under.is_number:  # x < h tan θ for 1/(h tan θ − x) ≥ 0
+        return positive(sp.sign(over) * sp.expand(under).primitive()[1], wanted, signs)
     for group in (wanted.forces, wanted.coefficients, wanted.loads):
         symbols = [c for c in dict.fromkeys(group) if c.is_Symbol and c in reduced.free_symbols]
         solved = _solved_for(symbols[0], reduced, signs) if len(symbols) == 1 else None

@@ -15,7 +15,12 @@ import pytest
 import sympy as sp
 
 from lagrange.explain.report import report
-from lagrange.mechanics.equilibrium.friction.conditions_of_rest import limits_of_load
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
+    SolvedFor,
+    limits_of_load,
+    not_negative,
+    vanishing,
+)
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Inequality, Signs
 from lagrange.render import json as in_json
 from lagrange.render import terminal
@@ -298,3 +303,15 @@ def test_each_case_has_the_sign_that_decides_which_bound_limits() -> None:
                 least = max(float(-s.xreplace({**at, p: 0})) for s in case.slacks if s.diff(p).xreplace(at) > 0)
                 # with s free to choose, P is only held by P + max (a - b) s >= 0
                 assert abs(least - min(0.0, -(x - y) * x)) < 1e-9
+
+
+def test_a_quotient_has_the_sign_of_its_divisor() -> None:
+    """1/(2h tan α − 2x) ≥ 0 is x < h tan α; 1/(h − x) is never zero, and h − x = 0 would be false."""
+    x, h, alpha = sp.Symbol("x", real=True), sp.Symbol("h", positive=True), sp.Symbol("alpha", positive=True)
+    [c] = not_negative(1 / (2 * h * sp.tan(alpha) - 2 * x), SolvedFor(), Signs(frozenset()))
+    assert c.relation == "<"
+    assert sp.simplify(c.right - c.left - (h * sp.tan(alpha) - x)) == 0
+    [negative] = not_negative(-3 / (h - x), SolvedFor(), Signs(frozenset()))
+    assert (negative.left, negative.relation, negative.right) == (h, "<", x)
+    [never] = vanishing(1 / (h - x), SolvedFor(), Signs(frozenset()))
+    assert (never.left, never.relation, never.right) == (1 / (h - x), "=", 0)
