@@ -110,10 +110,11 @@ def meaning(solution: Solution) -> ResultMeaning | None:
     if view.motion is None or view.dynamics is None or not view.motion.final:
         return None
     reactions, constant = _reactions(solution, view), constant_accelerations(view)
+    pushing = _pushing(solution)
     return ResultMeaning(
         view,
         _small(solution, view),
-        tuple(limiting_cases(solution, view, reactions, _pushing(solution))),
+        tuple(limiting_cases(solution, view, reactions, pushing)),
         tuple(_parts(solution, view, reactions)),
         _units(solution, view),
         constant,
@@ -123,7 +124,7 @@ def meaning(solution: Solution) -> ResultMeaning | None:
         tuple(_ends(solution, view, reactions)),
         massless_bodies(solution, view, constant),
         sense(solution, view),
-        tuple(released(solution, view, reactions, _pushing(solution))),
+        tuple(released(solution, view, reactions, pushing)),
     )
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -52,9 +51,6 @@ from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquation
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 from lagrange.problem.model import Problem
 
-if TYPE_CHECKING:
-    pass
-
 
 def explain_meaning(
     meaning: ResultMeaning,
@@ -92,8 +88,7 @@ def explain_meaning(
     if meaning.consequences is not None:
         body += explain_consequences(meaning.consequences, meaning.view)
     body += explain_rest(meaning.small)
-    final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
-    body += (explain_limit(limit, final) for limit in meaning.limits)
+    body += map(explain_limit, meaning.limits)
     body += explain_massless(meaning.massless)
     body += explain_sense(meaning.sense)
     body += _contact(meaning)

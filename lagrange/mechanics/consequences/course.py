@@ -18,12 +18,11 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import TimeDerivative, Unspecified, base, partial, prime, t
-from lagrange.mechanics.consequences.limiting_cases import solved_acceleration
+from lagrange.mechanics.consequences.limiting_cases import from_linear_equation
 from lagrange.mechanics.consequences.oscillations import between_positive_sums
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity
 from lagrange.mechanics.limits import LONGEST_CONSEQUENCE, LONGEST_FOLLOWED
@@ -47,7 +46,7 @@ def sense(solution: Solution, view: InCoordinates) -> Sense | None:
         return None
     [acceleration], [v], [slip] = slots.accelerations, slots.velocities, motion.slips
     rate = sp.cancel(slip / v)
-    value = solved_acceleration(motion.equations.final[0].expression, acceleration)
+    value = from_linear_equation(motion.equations.final[0].expression, acceleration)
     if value is None or value.free_symbols & {*slots.coordinates, v, *slots.prescribed, t} or value.has(Unspecified):
         return None
     if not (rate.is_positive or rate.is_negative) or count_operations(value) > LONGEST_CONSEQUENCE:
@@ -170,7 +169,7 @@ def swinging_rate(equations: Sequence[tuple[sp.Expr, ...]], view: InCoordinates)
         w, rate = sp.Dummy("w", real=True), sp.Dummy("rate", real=True)
         written = [e.xreplace({derivative: rate}).xreplace({derivative.args[0]: w}) for e in pairs]
         for first in (e for e in written if e.has(rate)):
-            changes = _linear(first, rate)
+            changes = from_linear_equation(first, rate)
             for v in sorted({*slots.velocities} - still, key=str):
                 c = None if changes is None else sp.cancel(changes / v)
                 seconds = [e for e in written if prime(base(v), 2) in e.free_symbols and e is not first]
@@ -192,7 +191,7 @@ def _driven(
     slots = view.configuration.slots
     moving = {*slots.coordinates, *slots.velocities, *slots.accelerations, *slots.prescribed, t, w} - {*still}
     for e in equations:
-        accelerates = _linear(e, prime(base(v), 2))
+        accelerates = from_linear_equation(e, prime(base(v), 2))
         if accelerates is None:
             continue
         k, d = -partial(accelerates, w), accelerates.xreplace({w: sp.S.Zero})
@@ -202,15 +201,6 @@ def _driven(
         if count_operations(square) <= LONGEST_CONSEQUENCE:
             return SwingingRate(v, square, tuple(sorted(square.free_symbols & {*still}, key=str)))
     return None
-
-
-def _linear(e: sp.Expr, unknown: sp.Symbol) -> sp.Expr | None:
-    """The unknown from e = 0, if e is linear in it."""
-    factor = partial(e, unknown)
-    if factor.has(unknown) or is_zero(factor) is not False:
-        return None
-    value: sp.Expr = sp.cancel(-e.xreplace({unknown: sp.S.Zero}) / factor)
-    return value
 
 
 def _is_square(square: sp.Expr, constants: Collection[sp.Symbol]) -> bool:

@@ -47,10 +47,11 @@ class Named(Enum):
 
 @record
 class NamedMotion:
-    """What an equation of motion is. coordinate  q, or the distance from the centre
+    """What an equation of motion is.
 
-    value  the acceleration of a uniformly accelerated motion; ω² of an oscillation, or of a pendulum with
-           q'' + ω² sin q = 0; μ of an inverse square, r'' = r φ'² − μ/r²
+    coordinate  q, or the distance from the centre
+    value       the acceleration of a uniformly accelerated motion; ω² of an oscillation, or of a pendulum with
+                q'' + ω² sin q = 0; μ of an inverse square, r'' = r φ'² − μ/r²
     """
 
     named: Named
@@ -63,14 +64,16 @@ class LimitingCase:
     """The equations of motion where a parameter vanishes, grows, or equals another; `to` is 0, oo or the other.
 
     reactions  the values of the reactions there that have the parameter, by symbol; none for a growing parameter
-    named      what the equations are that change, one for each, or one for all
+    changed    those that differ from the equations of motion, or all of them
+    named      what these are, one for each, or one for all
     """
 
     parameter: sp.Symbol
     to: sp.Expr
     equations: tuple[sp.Expr, ...]
     reactions: Mapping[sp.Symbol, sp.Expr]
-    named: tuple[NamedMotion, ...] = ()
+    changed: tuple[sp.Expr, ...]
+    named: tuple[NamedMotion, ...]
 
 
 @record
@@ -127,13 +130,13 @@ def limiting_cases(
         whole = len(shown) == len(values) and sum(count_operations(e) for e in shown.values()) <= LONGEST_LIMIT
         if to == 0 and len(limit) > 1 and not (shown and whole) and _only_stops(limit, equations, view):
             continue  # nor that without forces there is no acceleration
-        changed = [e for e in limit if not any(is_same(e, f) for f in equations)] or [*limit]
+        changed = tuple(e for e in limit if not any(is_same(e, f) for f in equations)) or limit
         named = named_motions(changed, limit, view)
         if named is None:
             continue  # the equation again, with a term less
         if all(m.named is Named.UNIFORM for m in named) and not (shown and whole):
             continue  # nor that a velocity stays without a cause
-        yield LimitingCase(parameter, to, limit, shown if whole else {}, named)
+        yield LimitingCase(parameter, to, limit, shown if whole else {}, changed, named)
         limits.append(limit)
         if len(limits) == MOST_LIMITS:
             return
@@ -230,7 +233,7 @@ def _where_large(e: sp.Expr, parameter: sp.Symbol, view: InCoordinates) -> sp.Ex
     if len(accelerations) != 1 or not parameter.is_positive:
         return None
     [acceleration] = accelerations
-    value = solved_acceleration(e, acceleration)
+    value = from_linear_equation(e, acceleration)
     if value is None:
         return None
     small = sp.Dummy("small", positive=True)
@@ -271,7 +274,7 @@ def _named(e: sp.Expr, view: InCoordinates) -> NamedMotion | None:
     if len(own) != 1:
         return None
     q = base(own[0])
-    value = solved_acceleration(e, own[0])
+    value = from_linear_equation(e, own[0])
     if value is None or value.has(t, Unspecified):
         return None
     moving = {*slots.coordinates, *slots.velocities, *slots.prescribed}
@@ -288,13 +291,12 @@ def _named(e: sp.Expr, view: InCoordinates) -> NamedMotion | None:
     return None
 
 
-def solved_acceleration(e: sp.Expr, acceleration: sp.Symbol) -> sp.Expr | None:
-    """q'' as a function of the state, from an equation linear in it that has no other acceleration."""
-    inertia = partial(e, acceleration)
-    rest = e.xreplace({acceleration: sp.S.Zero})
-    if inertia.has(acceleration) or is_zero(inertia) is not False:
+def from_linear_equation(e: sp.Expr, unknown: sp.Symbol) -> sp.Expr | None:
+    """The unknown from e = 0, an acceleration by the state, if e is linear in it."""
+    factor = partial(e, unknown)
+    if factor.has(unknown) or is_zero(factor) is not False:
         return None
-    value: sp.Expr = sp.cancel(-rest / inertia)
+    value: sp.Expr = sp.cancel(-e.xreplace({unknown: sp.S.Zero}) / factor)
     return None if value.has(*_UNDEFINED) else value
 
 
@@ -317,7 +319,7 @@ def _inverse_square(equations: Sequence[sp.Expr], view: InCoordinates) -> NamedM
         around = [e for e in equations if prime(phi, 2) in e.free_symbols and prime(r, 2) not in e.free_symbols]
         if len(radial) != 1 or len(around) != 1:
             continue
-        first, second = solved_acceleration(radial[0], prime(r, 2)), solved_acceleration(around[0], prime(phi, 2))
+        first, second = from_linear_equation(radial[0], prime(r, 2)), from_linear_equation(around[0], prime(phi, 2))
         if first is None or second is None or sp.cancel(second + 2 * prime(r) * prime(phi) / r) != 0:
             continue
         constant = sp.cancel((r * prime(phi) ** 2 - first) * r**2)

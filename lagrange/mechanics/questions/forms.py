@@ -61,9 +61,7 @@ def _factored(f: sp.Expr) -> sp.Expr:
     if not base.is_Add or base.has(sp.log, sp.exp) or count_operations(base) > LONGEST_MULTIPLIED_OUT:
         return f
     roots = [p for p in base.atoms(sp.Pow) if not p.exp.is_Integer]
-    letters = {
-        p: sp.Dummy(positive=True) for p in roots
-    }  # terms beside a root may cancel: 2n (A + C) − 2n A − 2n C + √…
+    letters = {p: sp.Dummy(positive=True) for p in roots}  # 2n (A + C) − 2n A − 2n C beside a root: terms may cancel
     multiplied = sp.expand(base.xreplace(letters)).xreplace({letter: p for p, letter in letters.items()})
     other = multiplied if roots else sp.factor(multiplied)
     return other**exponent if count_operations(other) < count_operations(base) else f

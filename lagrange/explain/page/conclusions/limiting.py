@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import sympy as sp
 
@@ -10,13 +10,11 @@ from lagrange.core.symbols import CONSTANT, prime
 from lagrange.document.derivation import Block, Emphasis, Part, Purpose, listed, math, prose, series
 from lagrange.explain.words import plural
 from lagrange.mechanics.consequences.limiting_cases import LimitingCase, MasslessBodies, Named, NamedMotion
-from lagrange.mechanics.rewriting.readable_forms import is_same
 
 
-def explain_limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
+def explain_limit(limit: LimitingCase) -> Block:
     """`g → 0: uniform motion in a circle, with T = m l θ'².` Of several equations, those that change."""
-    changed = [e for e in limit.equations if not any(is_same(e, f) for f in final)] or [*limit.equations]
-    same = len(limit.equations) - len(changed)
+    changed, same = limit.changed, len(limit.equations) - len(limit.changed)
     where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
     says: list[tuple[Part, ...]] = (
         [_named(m, e) for m, e in zip(limit.named, changed, strict=True)]

@@ -31,15 +31,15 @@ def words(block: object) -> str:
 )
 def test_each_limit_has_a_name_or_a_solved_form(named: Named, value: sp.Expr, said: str) -> None:
     equation = prime(x, 2) + value * x
-    block = explain_limit(LimitingCase(g, sp.S.Zero, (equation,), {}, (NamedMotion(named, x, value),)), ())
+    block = explain_limit(LimitingCase(g, sp.S.Zero, (equation,), {}, (equation,), (NamedMotion(named, x, value),)))
     assert said in words(block)
 
 
 def test_what_stays_is_counted() -> None:
-    before, after = prime(x, 2) + g, prime(x, 2)
-    y = sp.Symbol("y", real=True)
-    limit = LimitingCase(g, sp.S.Zero, (after, prime(y, 2)), {}, (NamedMotion(Named.UNIFORM, x, sp.S.Zero),))
-    assert words(explain_limit(limit, (before, prime(y, 2)))).endswith("(the other equation unchanged).")
+    after, y = prime(x, 2), sp.Symbol("y", real=True)
+    named = (NamedMotion(Named.UNIFORM, x, sp.S.Zero),)
+    limit = LimitingCase(g, sp.S.Zero, (after, prime(y, 2)), {}, (after,), named)
+    assert words(explain_limit(limit)).endswith("(the other equation unchanged).")
 
 
 def test_bodies_without_inertia() -> None:
