@@ -25,7 +25,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Bounded, range_of
+from lagrange.core.symbols import Bounded, range_of, sign_in_range
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.equilibrium.stability import on_branch
@@ -116,9 +116,9 @@ def angle_condition(
         return None
     [relation] = rest.branches[0].relations
     ends = (-low, high)
-    if relation.lhs != sp.tan(q) or any(not (e.is_Symbol and e.is_positive) for e in ends):
+    if relation.lhs != sp.tan(q) or any(sign_in_range(w(e)) != 1 for e in ends for w in (sp.sin, sp.cos)):
         return None
-    below = {sp.tan(e): sp.Dummy(positive=True) for e in ends}  # acute: bounds of a rod that lies on both supports
+    below = {sp.tan(e): sp.Dummy(positive=True) for e in ends}
     a, b = sp.fraction(sp.together(relation.rhs.xreplace(below)))
     back = {d: w for w, d in below.items()}
     if not b.is_positive:

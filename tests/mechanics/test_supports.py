@@ -9,12 +9,14 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import Source
+from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.mechanics.supports import supports
 from lagrange.problem.loader import read_problem
-from tests.support.shared import solved
+from lagrange.render import terminal
+from tests.support.shared import file_of, solved
 
 BY_ITS_ENDS = """
 title: Rod on two planes of different inclination
@@ -113,3 +115,12 @@ def test_the_rod_is_unstable_and_the_second_derivative_is_that_of_its_height(nam
     assert not verdict.presupposed
     [closed] = verdict.minors
     assert float(closed.subs({s: n[s.name] for s in closed.free_symbols})) == pytest.approx(second, rel=1e-5)
+
+
+@pytest.mark.parametrize(("assumed", "stated"), [("acute", True), ("positive", False)])
+def test_the_tangent_of_a_bound_grows_only_where_it_is_acute(assumed: str, stated: bool) -> None:
+    """−tan² α ≤ 2k − 1 ≤ tan² α says −α ≤ θ ≤ α for α < π/2 alone."""
+    text = file_of("ex16-rod-on-two-planes").read_text(encoding="utf-8").replace("assume: acute", f"assume: {assumed}")
+    found = report(read_problem(Source("x.yaml", text)), complete=False)
+    page = " ".join(terminal.text(found.derivation, found.notation, 200).split())
+    assert ("such a position exists if −tan²α ≤ 2k − 1 ≤ tan²α" in page) is stated
