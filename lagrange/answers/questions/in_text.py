@@ -35,7 +35,7 @@ from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement,
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
 from lagrange.answers.written.one_line import each_alternative, without_integrals
 from lagrange.answers.written.reading import read_as_written, tried
-from lagrange.answers.written.values import with_all_values
+from lagrange.answers.written.values import marks_approximation, with_all_values
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions.edits import cut
@@ -51,7 +51,6 @@ _SECOND_VARIATION = re.compile(
     r"\s*\$?\s*(?:[VUEΠ](?:''|″|_\{?\w\w\}?\s)|d\s*(?:\^\s*2|²)\s*[VUEΠ]|\\frac\s*\{\s*d\s*\^\s*\{?2\}?\s*[VUE])"
 )
 """The second derivative of a potential energy, which is working."""
-_SMALL = re.compile(r"small|lineari[sz]|klein", re.IGNORECASE)
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
 _JUDGED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG)
 _MAY_BE_ENERGY = re.compile(r"[\s$&]*(?:T|K)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
@@ -398,7 +397,7 @@ def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Jud
         linear = check_linearized(rest, solution)
         if linear is not None and linear.verdict is not Verdict.WRONG:
             return None
-        if linear is not None and any(map(_SMALL.search, {f.whole.source.text for f in rest})):
+        if linear is not None and any(marks_approximation(f.whole.source.text) for f in rest):
             return _only(linear, solution)
     return _with_positions(rest, solution, judge) if working.judged or working.unreadable else None
 
