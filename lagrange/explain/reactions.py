@@ -170,7 +170,7 @@ def _holds(reaction: Reaction) -> bool:
 
 
 def _is_taut(value: sp.Expr) -> tuple[Part, ...] | None:
-    """Where a tension is positive: everywhere, or ` where z > 0`; None if this is not seen at once."""
+    """Where a tension is positive: everywhere, or ` where z > 0`; None if its sign is not evident."""
     if value.is_positive:
         return ()
     open_ = [f for f in sp.Mul.make_args(value) if not f.is_positive]

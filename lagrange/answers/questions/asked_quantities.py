@@ -250,7 +250,7 @@ class AskedClaim:
         if value != 0:
             return ""
         if self.reaction is not None:
-            return "the force of the constraint is left out: it is not zero there"
+            return "the force of the constraint is missing: it is not zero there"
         moving = self.quantity.is_Symbol and self.quantity.name.endswith("''")
         return "it is taken not to be accelerated there, and it is" if moving else ""
 

@@ -31,7 +31,7 @@ def test_an_acceleration_that_does_not_follow_is_not_said_to() -> None:
 
 def test_a_force_that_is_left_out_has_one_cause() -> None:
     assert diagnoses("tension = 0", "falling = -g") == [
-        "the force of the constraint is left out: it is not zero there",
+        "the force of the constraint is missing: it is not zero there",
         "this is the acceleration without the forces of the constraints, as if it moved freely",
     ]
     assert diagnoses("falling = 0", "turning = -3*g/(2*l)")[0] == "it is taken not to be accelerated there, and it is"

@@ -53,7 +53,7 @@ def test_a_disc_touches_floor_and_walls_with_its_rim_and_is_between_the_walls() 
     walls, floors = hatched_side(scene, True), hatched_side(scene, False)
     left, right = sorted(walls)
     assert walls[left] == 1
-    assert walls[right] == -1, "a wall that N pushes away from is hatched behind it"
+    assert walls[right] == -1, "the hatching of a wall is on the side from which N pushes"
     scale = (right - left) / 3
     assert scale > 0.1
     assert left == pytest.approx(0.0, abs=1e-3)
