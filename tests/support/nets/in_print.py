@@ -47,9 +47,10 @@ RESULTS = {
     "pi",
     "sigma",
     "xi",
+    "zeta",
 }
 """Letters that results have beside the names of the file, alone or before a name or a number: multipliers, signs of
-roots, displacements, frequencies, momenta, impulses, friction, abbreviations, constants, axes of bodies."""
+roots, displacements, frequencies and damping ratios, momenta, impulses, friction, abbreviations, constants, axes of bodies."""
 
 LETTERS = RESULTS | {"A", "Gamma", "H", "L", "M", "Phi", "Q", "R", "U", "d", "phi", "q", "r", ""}
 """Those that the steps of the derivation have besides: positions, reactions, energies, phases."""
