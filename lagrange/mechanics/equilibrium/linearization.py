@@ -32,7 +32,6 @@ from lagrange.algebra.closed_forms.eigenmodes import (
     letter_factors,
     without_minus,
 )
-from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero, kept_surface
 from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
@@ -295,7 +294,7 @@ class _About:
         for n, (other, s) in enumerate(zip(self.branches, self.at, strict=True)):
             if s is None or s.free != free or self.copies[n] is not None:
                 continue
-            if _same_conditions(other.conditions, b.conditions) and _same_conditions(other.implied, b.implied):
+            if (other.conditions, other.implied) == (b.conditions, b.implied):
                 signs = _mirror(s.system, (mass, damping, stiffness), {*self.resting.solution.unknowns})
                 if signs is not None:
                     moved = [self.names[k] for k in free]
@@ -306,16 +305,6 @@ class _About:
             return None, None
         self.worked_out += 1
         return oscillations(free, shape, (mass, damping, stiffness), b, self.resting, self.names, *self.letters), None
-
-
-def _same_conditions(first: Sequence[SignCondition], second: Sequence[SignCondition]) -> bool:
-    """Whether these are the same conditions; a ≠ b is b ≠ a."""
-
-    def sides(c: SignCondition) -> tuple[str, sp.Expr | frozenset[sp.Expr]]:
-        difference = sp.expand(c.lhs - c.rhs)
-        return c.relation, frozenset((difference, -difference)) if c.relation == "≠" else difference
-
-    return first == second or {*map(sides, first)} == {*map(sides, second)}
 
 
 def _mirror(s: LinearSystem, matrices: tuple[Matrix, ...], unknowns: set[sp.Symbol]) -> tuple[int, ...] | None:
