@@ -102,8 +102,12 @@ class AnswerBranch:
         """The conditions, without those that say only that the right side is not negative, if the left is a square."""
         if not isinstance(self.lhs, sp.Pow) or self.lhs.exp != 2 or self.rhs == 0:
             return self.conditions
-        ratios = (sp.cancel((c.lhs - c.rhs) / self.rhs) if c.relation in "≥>" else sp.S.Zero for c in self.conditions)
-        return tuple(c for c, r in zip(self.conditions, ratios, strict=True) if not r.is_positive)
+        return tuple(c for c in self.conditions if not _says_that(c, self.rhs))
+
+    def beyond_roots(self) -> AnswerBranch:
+        """The branch without the conditions that its value is real: what stands under a root in it is not negative."""
+        under = [e.base for e in self.rhs.atoms(sp.Pow) if e.exp == sp.S.Half]
+        return replace(self, conditions=tuple(c for c in self.conditions if not any(_says_that(c, u) for u in under)))
 
     def at(self, states: Sequence[Mapping[sp.Symbol, sp.Expr]]) -> AnswerBranch:
         """The part of the branch with some of its states, and with the values that the quantity has in these."""
@@ -123,6 +127,11 @@ class AnswerBranch:
         signs = [(sign_of(e), relation) for e, relation in pairs if e.is_number]
         excluded = {">": (-1, 0), "≥": (-1,), "<": (1, 0), "≤": (1,), "≠": (0,), "=": (1, -1)}
         return any(s in excluded[r] for s, r in signs)
+
+
+def _says_that(c: SignCondition, expression: sp.Expr) -> bool:
+    """Whether a condition says only that an expression is not negative."""
+    return c.relation in "≥>" and bool(sp.cancel((c.lhs - c.rhs) / expression).is_positive)
 
 
 _Value = TypeVar("_Value", sp.Expr, float)
