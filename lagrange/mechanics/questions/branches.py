@@ -137,7 +137,7 @@ def first_branches(
     left = [_with_radius(b, beginning) for b in (_without_negative_radii(b, beginning) for b in left) if b is not None]
     if by is not None:
         left, gone = _beginning_right(left, beginning, by, quantity)
-        left = [b.beyond_roots() for b in _each_with_its_start(left, beginning, by)]
+        left = _each_with_its_start(left, beginning, by)
         either = _are_mirrored(left) and (not beginning.initial or beginning.direction(by) == 0)
         return Chosen(tuple(left), tuple((b, Reason.START) for b in gone), either)
     one = bool(beginning.by_themselves)
