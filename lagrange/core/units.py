@@ -191,5 +191,5 @@ def si_unit(unit: Unit) -> str:
 
 @cache
 def _named_dimensions() -> dict[Dimension, str]:
-    names = ("C", "V", "W", "N m", "N s/m", "N/m", "N")
+    names = ("C", "V", "W", "T", "F", "H", "V/m", "Pa", "N m", "N s/m", "N/m", "N")
     return {u.dimension: name for name in names if (u := unit_of(name)) is not None}

@@ -6,6 +6,7 @@ sin α/cos α = tan α,    cos α/sin α = 1/tan α.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
 import sympy as sp
 
@@ -158,3 +159,19 @@ def with_whole_contents(e: sp.Expr) -> sp.Expr:
                 number, f = number * content**exponent, rest**exponent
         factors.append(f)
     return e if number == 1 or len(factors) < 2 else sp.Mul(number, *factors)
+
+
+def with_differences_of_squares(e: sp.Expr) -> sp.Expr:
+    """A product with r² − a² for its factors (r − a) (r + a), as books print it."""
+    if not e.is_Mul:
+        return e
+    factors = list(e.args)
+    for one, other in combinations(e.args, 2):
+        (a, n), (b, m) = one.as_base_exp(), other.as_base_exp()
+        if n != m or not (a.is_Add and b.is_Add and len(a.args) == len(b.args) == 2) or other not in factors:
+            continue
+        total, difference = (a + b) / 2, (a - b) / 2
+        if one in factors and not total.is_Add and not difference.is_Add and not total.is_number:
+            factors.remove(one)
+            factors[factors.index(other)] = (total**2 - difference**2) ** n
+    return e if len(factors) == len(e.args) else sp.Mul(*factors, evaluate=False)

@@ -429,6 +429,12 @@ def _function(graph: Graph, e: sp.Expr) -> int:
     return graph.new(Op.FUNCTION, (type(e).__name__, needs), needs, e, OPAQUE)
 
 
+def _logarithm(graph: Graph, e: sp.Expr) -> int:
+    """log(q b/a) as log q + log b − log a: for positive a, b this is no identity that real values have to show."""
+    parts = _without_positive(e.args[0])
+    return _function(graph, e) if parts is None else graph.visit(sp.Add(*(n * sp.log(b) for b, n in parts)))
+
+
 def _unspecified(graph: Graph, e: Unspecified) -> int:
     # Exact in spite of its random values: nothing is known of f, so that f(a) is as independent as a symbol.
     needs = graph.visited(e.arguments)
@@ -462,7 +468,7 @@ _BUILDERS: dict[type, _Builder] = {
     sp.cosh: _of_exponential(Op.COSH),
     sp.sinh: _of_exponential(Op.SINH),
     sp.tanh: _of_exponential(Op.TANH),
-    sp.log: _function,
+    sp.log: _logarithm,
     sp.atan: _function,
     sp.asin: _function,
     sp.acos: _function,

@@ -55,11 +55,11 @@ def _rate_from(condition: sp.Expr, rates: Sequence[sp.Symbol], degree: int) -> d
 def rate_at_position(
     conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], general: Equilibrium
 ) -> dict[sp.Symbol, sp.Expr] | None:
-    """The rate at which a coordinate keeps a value, φ'² = F(r), where the value is r = G(φ'²) and no angle."""
+    """The rate at which a coordinate keeps a value, φ'² = F(r), where the value is r = G(φ'²), or r³, and no angle."""
     if len(conditions) != 1 or len(rates) != 1 or any(b.left for b in general.branches):
         return None
     placed = [r for b in general.branches for r in b.relations]
-    if not all(r.lhs.is_Symbol and sp.fraction(sp.together(r.rhs))[1].has(*rates) for r in placed):
+    if not all(r.lhs.as_base_exp()[0].is_Symbol and sp.fraction(sp.together(r.rhs))[1].has(*rates) for r in placed):
         return None
     [condition] = conditions
     solved = _rate_from(condition, rates, 2) if placed else None

@@ -270,8 +270,13 @@ def _signs_in_ranges(configuration: Configuration, expressions: Sequence[sp.Expr
 
 
 def _length(family: Family) -> int:
-    """How long the linear equations about the motions of a family are."""
-    return sum(count_operations(e) for s in family.about.originals for e in s.equations) or sys.maxsize
+    """How long the linear equations about the motions of a family are; one with cube roots counts twice."""
+    equations = [e for s in family.about.originals for e in s.equations]
+    return sum(count_operations(e) * (2 if _has_cube_root(e) else 1) for e in equations) or sys.maxsize
+
+
+def _has_cube_root(e: sp.Expr) -> bool:
+    return any(p.exp.is_Rational and p.exp.q > 2 for p in e.atoms(sp.Pow))
 
 
 def on_one_side(conditions: Equilibrium) -> Iterator[tuple[sp.Expr, Equilibrium]]:

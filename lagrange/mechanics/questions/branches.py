@@ -88,12 +88,14 @@ class InitialMotion:
 
     def direction(self, q: sp.Symbol) -> int | None:
         """The sign with which q starts; 0 where it is at rest and not accelerated; None: not known."""
+        rate = self.starting_rate(q)
+        return None if rate is None else self.sign(rate)
+
+    def starting_rate(self, q: sp.Symbol) -> sp.Expr | None:
+        """What has the sign with which q starts: its velocity, or at rest its acceleration; None: not known."""
         speed = self.initial.get(prime(q))
-        if speed is None:
-            return None
-        sign = self.sign(speed)
-        if sign != 0:
-            return sign
+        if speed is None or self.sign(speed) != 0:
+            return speed
         a = self.accelerations.get(prime(q, 2))
         if a is None:
             return None
@@ -101,7 +103,7 @@ class InitialMotion:
         undefined = value.has(sp.zoo, sp.nan, sp.oo)  # at the cusp of a cycloid
         if undefined or value.free_symbols & {*self.slots.coordinates, *self.slots.velocities}:
             return None
-        return self.sign(value)
+        return value
 
     def is_initial(self, state: State) -> bool:
         """Whether a state is the initial one."""
@@ -135,7 +137,8 @@ def first_branches(
     left = [_with_radius(b, beginning) for b in (_without_negative_radii(b, beginning) for b in left) if b is not None]
     if by is not None:
         left, gone = _beginning_right(left, beginning, by, quantity)
-        either = _are_mirrored(left) and beginning.direction(by) not in (1, -1)
+        left = _each_with_its_start(left, beginning, by)
+        either = _are_mirrored(left) and (not beginning.initial or beginning.direction(by) == 0)
         return Chosen(tuple(left), tuple((b, Reason.START) for b in gone), either)
     one = bool(beginning.by_themselves)
     arriving = beginning.slots.coordinates if beginning.free == 1 else tuple(reached)
@@ -199,6 +202,29 @@ def _beginning_right(
         return list(branches), []
     pairs = list(zip(branches, begins, strict=True))
     return [b for b, keeps in pairs if keeps], [b for b, keeps in pairs if not keeps]
+
+
+def _each_with_its_start(
+    branches: Sequence[AnswerBranch], beginning: InitialMotion, by: sp.Symbol
+) -> list[AnswerBranch]:
+    """Two opposite motions, each with the condition that it starts in its direction, where that is open."""
+    rate = beginning.starting_rate(by)
+    if rate is None or by not in beginning.initial or not _are_mirrored(branches) or beginning.sign(rate) is not None:
+        return list(branches)
+    roots = {
+        e: sp.Dummy("w", positive=True)
+        for b in branches
+        for v in b.values
+        for e in v.atoms(sp.Pow)
+        if e.exp == sp.S.Half
+    }
+    at_start = {by: beginning.initial[by]}
+    speeds = [b.states[0].get(prime(by), sp.nan) if len(b.states) == 1 else sp.nan for b in branches]
+    ways = [sign_of_value(v.xreplace(roots).xreplace(at_start)) for v in speeds]
+    if sorted(w or 0 for w in ways) != [-1, 1]:
+        return list(branches)
+    started = [more_than_zero(way * rate) for way in ways if way]
+    return [replace(b, conditions=(*b.conditions, c)) for b, c in zip(branches, started, strict=True)]
 
 
 def _moving(b: AnswerBranch, q: sp.Symbol, way: int, start: sp.Expr | None) -> tuple[State, ...]:

@@ -8,7 +8,11 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
-from lagrange.algebra.closed_forms.shortest_form import with_whole_contents, without_leading_minus
+from lagrange.algebra.closed_forms.shortest_form import (
+    with_differences_of_squares,
+    with_whole_contents,
+    without_leading_minus,
+)
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, more_than_zero, not_negative, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
@@ -267,7 +271,8 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     rhs = with_known_signs(with_joined_logarithms(rhs), b.conditions)
     rhs = with_exponentials_under_roots(with_common_number(rhs))
     rhs = under_one_root(rhs)
-    return replace(b, rhs=rhs, conditions=settled(joined_conditions(b.conditions), rhs))
+    conditions = settled(joined_conditions(b.conditions), rhs)
+    return replace(b, rhs=with_differences_of_squares(rhs), conditions=conditions)
 
 
 def with_common_number(e: sp.Expr) -> sp.Expr:

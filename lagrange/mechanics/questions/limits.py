@@ -64,3 +64,6 @@ STEPS_OF_HALF_TURN = 2000
 
 MOST_ANGLES = 2
 """Angles of a position that are looked for among those that the file gives, of which it may give as many."""
+
+LONGEST_CONDITION = 16
+"""Operations of a condition that a place is reached at all; a longer one tells the reader nothing."""

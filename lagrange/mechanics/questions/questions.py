@@ -311,6 +311,8 @@ class _Search:
         if len(branches) > 1 and self.question.by is None and self._has_numbers and numerical.is_available():
             first = numerical.first_of_motion(self.setting, self.when[0], self.quantity)
             branches, later = numerical.those_with(branches, first, self.setting.values)
+        if self.question.by is not None:
+            branches = [b.where_reached() for b in branches]
         dropped = (*((b, Reason.SENSE) for b in against), *chosen.dropped, *((b, Reason.LATER) for b in later))
         return replace(
             self._asked(route, How.EXACT, used),

@@ -10,8 +10,10 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import base
+from lagrange.mechanics.questions.limits import LONGEST_CONDITION
 from lagrange.problem.model import Condition, Measured, Question
 
 
@@ -102,8 +104,19 @@ class AnswerBranch:
         """The conditions, without those that say only that the right side is not negative, if the left is a square."""
         if not isinstance(self.lhs, sp.Pow) or self.lhs.exp != 2 or self.rhs == 0:
             return self.conditions
-        ratios = (sp.cancel((c.lhs - c.rhs) / self.rhs) if c.relation in "≥>" else sp.S.Zero for c in self.conditions)
-        return tuple(c for c, r in zip(self.conditions, ratios, strict=True) if not r.is_positive)
+        return tuple(c for c in self.conditions if not _says_that(c, self.rhs))
+
+    def where_reached(self) -> AnswerBranch:
+        """The branch without the conditions that the motion gets to a place: they say that a root in its value is real,
+        or at length that the square of a velocity there is not negative, which is left to the reader.
+        """
+        under = [e.base for e in self.rhs.atoms(sp.Pow) if e.exp == sp.S.Half]
+        kept = [c for c in self.conditions if not any(_says_that(c, u) for u in under)]
+        squares = {v**2 for s in self.states for q, v in s.items() if base(q) != q and v != 0}
+        long = [c for c in kept if count_operations(c.lhs - c.rhs) > LONGEST_CONDITION]
+        left_open = {c for c in long if any(_says_that(c, s) for s in squares)}
+        conditions = tuple(c for c in kept if c not in left_open)
+        return replace(self, conditions=conditions, provided=self.provided or bool(left_open))
 
     def at(self, states: Sequence[Mapping[sp.Symbol, sp.Expr]]) -> AnswerBranch:
         """The part of the branch with some of its states, and with the values that the quantity has in these."""
@@ -123,6 +136,11 @@ class AnswerBranch:
         signs = [(sign_of(e), relation) for e, relation in pairs if e.is_number]
         excluded = {">": (-1, 0), "≥": (-1,), "<": (1, 0), "≤": (1,), "≠": (0,), "=": (1, -1)}
         return any(s in excluded[r] for s, r in signs)
+
+
+def _says_that(c: SignCondition, expression: sp.Expr) -> bool:
+    """Whether a condition says only that an expression is not negative."""
+    return c.relation in "≥>" and bool(sp.factor((c.lhs - c.rhs) / expression).is_nonnegative)
 
 
 _Value = TypeVar("_Value", sp.Expr, float)

@@ -159,7 +159,13 @@ def _multiples(velocity: sp.Symbol, known: sp.Expr, values: Values) -> Iterator[
         ratio = sp.factor(sp.cancel(value / known))
         multiple = ratio * velocity
         exact = is_zero(ratio * known - value) is True
-        yield name, multiple if exact and 3 * count_operations(multiple) <= 2 * count_operations(value) else value
+        yield name, multiple if exact and 3 * count_operations(multiple) <= 2 * _printed_length(value) else value
+
+
+def _printed_length(product: sp.Expr) -> int:
+    """The operations of a product whose square roots are printed under one."""
+    roots = sum(f.is_Pow and abs(f.exp) == sp.S.Half for f in sp.Mul.make_args(product))
+    return count_operations(product) - 2 * max(0, roots - 1)
 
 
 # Stated names

@@ -8,6 +8,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.shortest_form import (
     by_stated_root,
     shortest_form,
+    with_differences_of_squares,
     with_whole_contents,
     without_leading_minus,
 )
@@ -87,3 +88,14 @@ def test_the_modulus_of_what_has_a_sign() -> None:
     assert shortest_form(abs(sp.sin(acute)) / 2) == sp.sin(acute) / 2
     assert shortest_form(abs(-sp.cos(acute))) == sp.cos(acute)
     assert shortest_form(abs(sp.sin(angle))) == abs(sp.sin(angle))
+
+
+def test_differences_of_squares() -> None:
+    whole = with_differences_of_squares(2 * b * (a - b) * (a + b) / c)
+    assert {f for f in whole.args if f.is_Add} == {a**2 - b**2}
+    assert sp.expand(whole - 2 * b * (a**2 - b**2) / c) == 0
+    below = with_differences_of_squares(c / ((a - b) * (a + b)))
+    assert below.has(a**2 - b**2)
+    assert sp.cancel(below - c / (a**2 - b**2)) == 0
+    for e in ((a - b) * (a + b) ** 2, (a - b) * (a + c), (a + b) ** 2, a - b):
+        assert with_differences_of_squares(e) == e

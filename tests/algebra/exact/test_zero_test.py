@@ -84,6 +84,7 @@ IDENTITIES = {
     "arc tangent of two": sp.atan2(k * y, k * x) - sp.atan2(y, x),
     "odd function": sp.atan(x - y) + raw(sp.atan, y - x),
     "logarithms": sp.log(l * m + m) - sp.log(m) - sp.log(l + 1),
+    "logarithms in a divisor": 1 / sp.log(l / m) - 1 / (sp.log(l) - sp.log(m)),
     "logarithms with factors": x * (sp.log(l * m) - sp.log(m)) - x * sp.log(l),
     "root in an angle": cos(2 * sqrt(k / m) * t) - 2 * cos(sqrt(k / m) * t) ** 2 + 1,
     "sum of roots in an angle": cos(sqrt(l**2 + x**2) * t + theta)

@@ -83,6 +83,12 @@ def test_a_disc_that_meets_a_step() -> None:
 
 
 def test_short_velocities_stay() -> None:
+    e = sp.Symbol("e", positive=True)
+    struck = {
+        turn: (M - 3 * m * e) * sp.sqrt(3 * v / l) / (M + 3 * m),
+        x_by_one_velocity: M * (e + 1) * sp.sqrt(3 * v * l),
+    }
+    assert by_one_velocity(struck) == struck
     values = {turn: m * v / ((M + m) * l), x_by_one_velocity: m * v / (M + m), y_by_one_velocity: sp.S.Zero}
     assert by_one_velocity(values) == values
 
