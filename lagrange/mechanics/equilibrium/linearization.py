@@ -17,9 +17,9 @@ the verdict. Reference: Lagrange 1788, part 2, section 6; Whittaker, Analytical 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import product
 
 import sympy as sp
@@ -461,9 +461,12 @@ def matrices_on(
     slots = form.configuration.slots
     rows = [r for r in form.configuration.rows if not r.is_identity]
     constraints = [[on_branch(b, a, resting) for a in r.coefficients] for r in rows]
-    mass, damping, stiffness = (
-        [[on_branch(b, e, resting, in_parameters=True) for e in row] for row in table] for table in derivatives
-    )
+
+    @cache  # M is symmetric, and many entries are zero
+    def value(e: sp.Expr) -> sp.Expr | None:
+        return on_branch(b, e, resting, in_parameters=True)
+
+    mass, damping, stiffness = ([[value(e) for e in row] for row in table] for table in derivatives)
     known = [*constraints, *mass, *damping, *stiffness]
     if any(e is None or not _is_smooth(e, form.configuration) for row in known for e in row):
         return None
@@ -472,7 +475,7 @@ def matrices_on(
     if len(displacements.independent) != len(resting.elimination.independent):
         return None  # here the constraints leave more or fewer displacements free than elsewhere
     shape = displacements.shape(len(slots.coordinates))
-    reduced = [_reduced(matrix, shape, b, resting) for matrix in (mass, damping, stiffness)]
+    reduced = [_reduced(matrix, shape, value) for matrix in (mass, damping, stiffness)]
     if any(r is None for r in reduced):
         return None
     m, d, k = (r for r in reduced if r is not None)
@@ -485,11 +488,15 @@ def _is_smooth(e: sp.Expr, configuration: Configuration) -> bool:
     return not bad and not any(is_time(s, configuration) for s in e.free_symbols)
 
 
-def _reduced(matrix: list[list[sp.Expr | None]], shape: Matrix, b: Branch, resting: Equilibrium) -> Matrix | None:
-    """Nᵀ X N on a branch."""
+def _reduced(
+    matrix: list[list[sp.Expr | None]], shape: Matrix, value: Callable[[sp.Expr], sp.Expr | None]
+) -> Matrix | None:
+    """Nᵀ X N on a branch, where an expression has a value; of free coordinates N is 1."""
     n = sp.Matrix(shape)
-    product = n.T * sp.Matrix(matrix) * n
-    written = [[on_branch(b, e, resting, in_parameters=True) for e in product.row(k)] for k in range(product.rows)]
+    written = matrix
+    if not n.is_Identity:
+        product = n.T * sp.Matrix(matrix) * n
+        written = [[value(e) for e in product.row(k)] for k in range(product.rows)]
     if any(e is None for row in written for e in row):
         return None
     return tuple(tuple(_shorter(e) for e in row if e is not None) for row in written)
