@@ -225,6 +225,8 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
     if "=" not in text[start:end] and not re.search(r"\\equiv|\\coloneqq", text):
         return
     words = f"{beside} {text[:start]} {_words_of(text)}".strip()
+    plain = text.replace("$", " ")
+    remarks = [*STABILITY.finditer(plain, start, end)] if "$" in text else []
     pieces = cuts(text[start:end], _LATEX_WORDS) if "$" not in text else [(0, end - start)]
     for first, last in pieces:
         whole = (start + first, start + last) == (0, len(text))
@@ -232,14 +234,17 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
             first += _after_words(text[start + first : start + last], 0, last - first)
         part = fragment if whole else _part(fragment, start + first, start + last)
         for e in equations(part):
-            said = f"{words} {_words_before(e, part)}".strip() if "$" in part.text else words
+            said = words
+            if "$" in part.text:
+                at = e.span(0, 1).start - part.span(0, 1).start
+                on = _remarks_on(plain, start + first + at, start + first + at + len(e.text), remarks)
+                said = f"{words} {_words_before(part.text, at)} {on and f'; {on}'}".strip()
             yield replace(e, beside=said) if isinstance(e, OneEquation) else e
 
 
-def _words_before(equation: Fragment, fragment: Fragment) -> str:
-    """The words of the sentence before an equation between `$`, without mathematics and the words in \\text."""
-    at = equation.span(0, 1).start - fragment.span(0, 1).start
-    before = _TEXT.sub(" ", _INLINE.sub(" ", fragment.text[: max(0, at)])).rstrip(" $:\n")
+def _words_before(text: str, at: int) -> str:
+    """The words of the sentence before an equation between `$`, without mathematics, remarks, the words in \\text."""
+    before = STABILITY.sub(" ", _TEXT.sub(" ", _INLINE.sub(" ", text[: max(0, at)]))).rstrip(" $:\n")
     return _END_OF_SENTENCE.split(before)[-1].strip()
 
 
