@@ -16,11 +16,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import (
     DivisionByZeroError,
     InadmissibleError,
@@ -45,6 +44,9 @@ from lagrange.core.records import record
 from lagrange.core.symbols import partial, symbols_in
 from lagrange.document.math_writer import text
 from lagrange.mechanics.dynamics.comparison import System, symbols_of
+
+if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.solution_sets import Branch
 
 _BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -24,10 +25,12 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.words import friction_called, load_called, plural, qualified, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.constraints.variable_mass import REACTIVE, VariableMass, validities
 from lagrange.problem.model import Body, Problem
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 ZERO = sp.S.Zero
 ORDINALS = ("first", "second", "third")

@@ -17,7 +17,6 @@ from lagrange.core.symbols import (
     t,
 )
 from lagrange.document.derivation import Block, Emphasis, Part, Rule, Step, listed, math, prose
-from lagrange.mechanics.consequences.at_rest import shape, without_dependent
 from lagrange.mechanics.consequences.gathered import Consequences, LimitMotion
 from lagrange.mechanics.consequences.oscillations import Beats, DoubleResonance, SleepingAxis
 from lagrange.mechanics.consequences.time_dependent import FastDrive, SlowChange, UniformStiffness
@@ -252,6 +251,8 @@ def _slow(s: SlowChange) -> Block:
 
 def explain_at_rest(view: InCoordinates) -> Step | None:
     """The meaning of a force that holds a system at rest in every position."""
+    from lagrange.mechanics.consequences.at_rest import shape, without_dependent
+
     body: list[Block] = []
     alone, curve = without_dependent(view), shape(view)
     if alone is not None:

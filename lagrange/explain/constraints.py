@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.forms.frobenius import PartialsComparison
+from lagrange.algebra.forms.exact_forms import PartialsComparison
 from lagrange.core.symbols import CONSTANT, Partial, Slots, Wedge, differential, t
 from lagrange.document.derivation import (
     Block,

@@ -16,7 +16,6 @@ from dataclasses import field, replace
 from lagrange.core.diagnostics import Fragment, Span
 from lagrange.core.records import record
 from lagrange.core.units import has_unit
-from lagrange.expressions.latex_names import ENVIRONMENTS
 
 
 @record
@@ -170,6 +169,18 @@ def _closing_braces(text: str) -> dict[int, int]:
         elif match[0] == "}" and opened:
             ends[opened.pop()] = match.end()
     return ends
+
+
+ENVIRONMENTS = tuple(
+    name + star
+    for name in (
+        "equation", "align", "aligned", "alignat", "alignedat", "flalign", "cases", "dcases", "rcases", "gather",
+        "gathered", "split", "multline", "multlined", "array", "eqnarray", "subequations", "math", "displaymath",
+        "empheq",
+    )
+    for star in ("", "*")
+)  # fmt: skip
+"""The environments in which equations are searched for."""
 
 
 def delimited(marks: Sequence[LayoutMark]) -> tuple[list[Region], list[LayoutMark]]:

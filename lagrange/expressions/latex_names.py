@@ -61,17 +61,6 @@ SIZES = (
 
 OPERATORS = {"cdot": "⋅", "times": "⨯", "ast": "*", "div": "/", "slash": "/", "prime": "'", "equal": "="}
 
-ENVIRONMENTS = tuple(
-    name + star
-    for name in (
-        "equation", "align", "aligned", "alignat", "alignedat", "flalign", "cases", "dcases", "rcases", "gather",
-        "gathered", "split", "multline", "multlined", "array", "eqnarray", "subequations", "math", "displaymath",
-        "empheq",
-    )
-    for star in ("", "*")
-)  # fmt: skip
-"""The environments in which equations are searched for."""
-
 _DERIVATIVE = r"write `\dot{x}` or `\frac{d}{dt}(...)`"
 _VARIANT = "names come from the problem, and it has none with an accent"
 _DEFINED = "nothing is expanded: write out what it stands for"

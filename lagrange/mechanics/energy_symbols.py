@@ -13,10 +13,10 @@ import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.core.symbols import free_letter
-from lagrange.mechanics.dynamics.energies import Energies
 from lagrange.mechanics.results import Solution
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.energies import Energies
     from lagrange.mechanics.equilibrium.linearization import Linearization
 
 

@@ -39,11 +39,9 @@ from lagrange.mechanics.dynamics.checks import (
 )
 from lagrange.mechanics.dynamics.conservation import check_conserved, conserved
 from lagrange.mechanics.dynamics.equations import check_inertia
-from lagrange.mechanics.dynamics.matrix_form import may_be_solved, solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import spot_of_motion
-from lagrange.mechanics.large_systems import stages_of_large, with_long_reactions
 from lagrange.mechanics.limits import UNITS_OF_SOLVING
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Belt, Find, Friction, Problem
@@ -118,6 +116,8 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         raise GaveUpError(running, reason(stop)) from None
     stages = _stages(problem, blank, complete, method, begin)
     if not blank.own.elimination.is_closed:
+        from lagrange.mechanics.large_systems import stages_of_large
+
         stages = stages_of_large(problem, begin)
     try:
         for stage in stages:
@@ -239,7 +239,11 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
     )
     are_short = all(v.dynamics is None or v.dynamics.reactions is None or v.dynamics.reactions.complete for v in moving)
     moved = _with_spots(moved, every=complete or not are_short)
-    return moved if are_short else with_long_reactions(moved)
+    if not are_short:
+        from lagrange.mechanics.large_systems import with_long_reactions
+
+        moved = with_long_reactions(moved)
+    return moved
 
 
 def _with_spots(solution: Solution, every: bool) -> Solution:
@@ -264,9 +268,7 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
     dynamics = dynamics.closed(view.coordinates.through_rates)
     if view.is_own:
         check_inertia(dynamics.equations, solution.problem.bodies)
-    open_ = complete and not dynamics.accelerations and may_be_solved(dynamics.equations.configuration)
-    if open_ and (solved := solved_accelerations(dynamics.matrices)):
-        dynamics = replace(dynamics, solved=solved)
+    dynamics = dynamics.with_accelerations() if complete else dynamics
     frictions = {f.name for f in law.frictions}
     is_shown = complete or _is_preferred(view, solution)
     return replace(
@@ -371,7 +373,8 @@ def _is_driven(solution: Solution) -> bool:
 def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the forced linear equations in free coordinates and, for a harmonic drive, the steady state."""
     from lagrange.mechanics.equilibrium.drives import forced_systems
-    from lagrange.mechanics.equilibrium.response import check_forced, check_response, response
+    from lagrange.mechanics.equilibrium.linearization import linearization
+    from lagrange.mechanics.equilibrium.response import check_forced, check_response, forced_equations, response
 
     on_stage("forced oscillations")
     problem, taken = solution.problem, _names(solution.problem)
@@ -387,9 +390,6 @@ def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
             return view
         still = resting[view.name]
         configuration = moving[view.name].configuration
-        from lagrange.mechanics.equilibrium.linearization import linearization
-        from lagrange.mechanics.equilibrium.response import forced_equations
-
         linear = linearization(law.equations(still.configuration, still.elimination), taken)
         equations = forced_equations(linear, configuration, systems.small)
         checks.extend(check_forced(equations, configuration, systems.small))

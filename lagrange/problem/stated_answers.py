@@ -25,7 +25,6 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, suggestion
 from lagrange.core.symbols import Sign
 from lagrange.core.units import has_unit, split_number, unit_of
-from lagrange.expressions.edits import Draft, cut
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, limit_of, read_equation, read_value
@@ -290,8 +289,7 @@ class AnswerReader:
         for node in nodes:
             scalar = self.diagnostics.attempt(lambda n=node: scalar_of(n, f"an entry of {what}"))  # type: ignore[misc]
             if scalar is not None:
-                named = _LETTER_OF_FREQUENCY.match(scalar.text)
-                value = cut(scalar.fragment, named.end(), len(scalar.text)) if named else scalar.fragment
+                value = _without_letter(scalar.fragment)
                 try:
                     self._try(read_value, value)
                 except ProblemError as error:
@@ -475,10 +473,22 @@ def _inside(root: MappingNode) -> Node:
 _SIDE = re.compile(r"[^=<>≤≥⩽⩾]+")
 
 
+def _without_letter(fragment: Fragment) -> Fragment:
+    """A frequency without the letter and the sign of equality before it."""
+    named = _LETTER_OF_FREQUENCY.match(fragment.text)
+    if not named:
+        return fragment
+    from lagrange.expressions.edits import cut
+
+    return cut(fragment, named.end(), len(fragment.text))
+
+
 def without_units(fragment: Fragment) -> Fragment:
     """The text with each side that is a number with a known unit as the number alone."""
     if is_latex(fragment) or isinstance(fragment, OneEquation):
         return fragment
+    from lagrange.expressions.edits import Draft
+
     draft = Draft(fragment)
     for side in [*_SIDE.finditer(fragment.text)][::-1]:
         text = side[0].rstrip()

@@ -145,7 +145,8 @@ class Point:
         nodes = [self.graph.node(e) for e in expressions]
         first = self.with_values({u: self.random() for u in unknowns})
         second = self.with_values({u: self.random() for u in unknowns})
-        return [first._affine(node, unknowns, second) for node in nodes]
+        mask = self.graph.mask(unknowns)
+        return [first._affine(node, unknowns, mask, second) for node in nodes]
 
     def with_values(self, changes: Mapping[sp.Symbol, Any]) -> Self:
         """The same point with other values of the given symbols; nothing else is evaluated again."""
@@ -241,20 +242,22 @@ class Point:
         place = sum(isinstance(s, Sign) and bit < own for s, bit in self.graph.bits.items())
         return self.number(-1 if self.signs >> place & 1 else 1)
 
-    def _affine(self, node: int, unknowns: Sequence[sp.Symbol], other: Self) -> NumberRow | None:
+    def _affine(self, node: int, unknowns: Sequence[sp.Symbol], mask: int, other: Self) -> NumberRow | None:
         """The row of a node; None if it does not hold at `other` values of the unknowns as well."""
-        row = self._slopes(node, unknowns)
-        if row is None:
+        slopes = self._slopes(node, mask)
+        if slopes is None:
             return None
-        b, c = (p.at(node) - sum(a * p.input(u) for a, u in zip(row, unknowns, strict=True)) for p in (self, other))
+        b, c = (p.at(node) - sum(a * p.input(u) for u, a in slopes.items()) for p in (self, other))
         reduce = self.arithmetic.reduce
         sizes = (self.at(node), other.at(node), b, c)
-        return [*row, reduce(b)] if self.is_difference_zero(reduce(b - c), sizes) else None
+        if not self.is_difference_zero(reduce(b - c), sizes):
+            return None
+        zero = self.number(0)
+        return [*(slopes.get(u, zero) for u in unknowns), reduce(b)]
 
-    def _slopes(self, node: int, unknowns: Sequence[sp.Symbol]) -> NumberRow | None:
-        """Derivatives of a node by the unknowns; None if these occur in other than sums, products, powers."""
+    def _slopes(self, node: int, mask: int) -> dict[sp.Symbol, Any] | None:
+        """Derivatives of a node by the unknowns in it; None if these occur in other than sums, products, powers."""
         graph, reduce = self.graph, self.arithmetic.reduce
-        mask = graph.mask(unknowns)
         if any(graph.symbols[n] & mask and graph.operations[n] not in _RATIONAL for n in graph.order(node)):
             return None
         self.at(node)
@@ -280,7 +283,7 @@ class Point:
                 base, exponent = data
                 inverse = self.arithmetic.inverse(values[base])
                 slopes[base] = slopes.get(base, 0) + slope * exponent * reduce(values[n] * inverse)
-        return [by_unknown.get(u, self.number(0)) for u in unknowns]
+        return by_unknown
 
     def _others(self, slope: Any, factors: tuple[int, ...], place: int) -> Any:
         for n, m in enumerate(factors):

@@ -30,6 +30,7 @@ from lagrange.algebra.forms.charts import (
     pulled_back,
     surface_of,
 )
+from lagrange.algebra.forms.hidden_relations import Flag
 from lagrange.algebra.forms.jets import (
     BITS,
     Jet,
@@ -48,27 +49,6 @@ from lagrange.algebra.forms.limits import (
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
-
-
-@record
-class Flag:
-    """The derived flag of a system of constraints.
-
-    ranks            of the system, of its first derived system, ..., as far as they were found
-    integrable_rank  number of independent finite relations in the constraints (the last rank), or None
-    reason           why it is undecided
-    beside           number of finite relations in which only forms take part modulo which the ranks are taken
-    """
-
-    ranks: tuple[int, ...]
-    integrable_rank: int | None
-    reason: str = ""
-    beside: int = 0
-
-    @property
-    def bound(self) -> int | None:
-        """An upper bound of `integrable_rank`, None if nothing is known."""
-        return self.ranks[-1] if self.ranks else None
 
 
 def derived_flag(

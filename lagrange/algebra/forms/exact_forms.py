@@ -19,13 +19,60 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import vanishes
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative, multiplied_out
 from lagrange.algebra.forms.limits import LARGEST_INTEGRAND
 from lagrange.core.expression_size import count_operations
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import Slots, Unspecified, base, partial, t
 
 Pairs = list[tuple[sp.Symbol, sp.Expr]]
+
+
+@record
+class PartialsComparison:
+    """∂a/∂k = ∂b/∂i, for the coefficients a of di and b of dk; `equal` is None if it is undecided."""
+
+    variables: tuple[sp.Symbol, sp.Symbol]
+    coefficients: tuple[sp.Expr, sp.Expr]
+    derivatives: tuple[sp.Expr, sp.Expr]
+    equal: bool | None
+
+
+@record
+class Exactness:
+    """All pairs of partial derivatives of one form; `exact` is None if it depends on an undecided pair."""
+
+    comparisons: tuple[PartialsComparison, ...]
+    exact: bool | None
+
+    @property
+    def differing(self) -> tuple[PartialsComparison, ...]:
+        """The pairs that differ."""
+        return tuple(c for c in self.comparisons if c.equal is False)
+
+
+def exactness(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> Exactness:
+    """Every pair of partial derivatives of a form compared, as the chapter does it; not those of 0 with 0.
+
+    form       (k,) coefficients of the differentials of `variables` (k,), t among them if there is a dt
+    """
+    comparisons = []
+    for (q, a), (r, b) in combinations(zip(variables, form, strict=True), 2):
+        if a == b == 0:
+            continue
+        left, right = differentiated(a, r, slots), differentiated(b, q, slots)
+        equal = True if left == right else compared(left - right)
+        comparisons.append(PartialsComparison((q, r), (a, b), (left, right), equal))
+    return Exactness(tuple(comparisons), all_hold(c.equal for c in comparisons))
+
+
+def compared(difference: sp.Expr) -> bool | None:
+    """Whether a difference is zero; None: undecided."""
+    try:
+        return is_zero(difference)
+    except DivisionByZeroError:
+        return None
 
 
 def potential(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr | None:

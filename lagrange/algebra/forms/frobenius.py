@@ -20,19 +20,14 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import (
-    DivisionByZeroError,
-    Point,
-    Surface,
-    is_zero,
-)
+from lagrange.algebra.exact.zero_test import Point, Surface
 from lagrange.algebra.forms.charts import (
     agreed_on_surface,
     chart,
     pulled_back,
     surface_of,
 )
-from lagrange.algebra.forms.exact_forms import differentiated
+from lagrange.algebra.forms.exact_forms import compared, differentiated
 from lagrange.algebra.forms.jets import (
     BITS,
     Jet,
@@ -46,31 +41,8 @@ from lagrange.algebra.forms.limits import (
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
-from lagrange.core.records import all_hold, record
+from lagrange.core.records import record
 from lagrange.core.symbols import Slots
-
-
-@record
-class PartialsComparison:
-    """∂a/∂k = ∂b/∂i, for the coefficients a of di and b of dk; `equal` is None if it is undecided."""
-
-    variables: tuple[sp.Symbol, sp.Symbol]
-    coefficients: tuple[sp.Expr, sp.Expr]
-    derivatives: tuple[sp.Expr, sp.Expr]
-    equal: bool | None
-
-
-@record
-class Exactness:
-    """All pairs of partial derivatives of one form; `exact` is None if it depends on an undecided pair."""
-
-    comparisons: tuple[PartialsComparison, ...]
-    exact: bool | None
-
-    @property
-    def differing(self) -> tuple[PartialsComparison, ...]:
-        """The pairs that differ."""
-        return tuple(c for c in self.comparisons if c.equal is False)
 
 
 @record
@@ -80,21 +52,6 @@ class WedgeComponent:
     variables: tuple[sp.Symbol, sp.Symbol, sp.Symbol]
     coefficient: sp.Expr
     nonzero: bool | None
-
-
-def exactness(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> Exactness:
-    """Every pair of partial derivatives of a form compared, as the chapter does it; not those of 0 with 0.
-
-    form       (k,) coefficients of the differentials of `variables` (k,), t among them if there is a dt
-    """
-    comparisons = []
-    for (q, a), (r, b) in combinations(zip(variables, form, strict=True), 2):
-        if a == b == 0:
-            continue
-        left, right = differentiated(a, r, slots), differentiated(b, q, slots)
-        equal = True if left == right else _compared(left - right)
-        comparisons.append(PartialsComparison((q, r), (a, b), (left, right), equal))
-    return Exactness(tuple(comparisons), all_hold(c.equal for c in comparisons))
 
 
 def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> tuple[WedgeComponent, ...]:
@@ -107,7 +64,7 @@ def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slot
         cyclic = ((i, j, k), (j, k, i), (k, i, j))
         coefficient = write(sp.Add(*(form[a] * (d[b, c] - d[c, b]) for a, b, c in cyclic)))
         if coefficient != 0:
-            zero = _compared(coefficient)
+            zero = compared(coefficient)
             triple = (variables[i], variables[j], variables[k])
             components.append(WedgeComponent(triple, coefficient, None if zero is None else not zero))
     return tuple(components)
@@ -152,10 +109,3 @@ def _is_frobenius(ring: JetRing, row: Sequence[Jet], free: Sequence[int]) -> boo
         ring.arithmetic.vanishes(a[i] * curl(j, k) + a[j] * curl(k, i) + a[k] * curl(i, j))
         for i, j, k in combinations(range(len(a)), 3)
     )
-
-
-def _compared(difference: sp.Expr) -> bool | None:
-    try:
-        return is_zero(difference)
-    except DivisionByZeroError:
-        return None

@@ -25,7 +25,7 @@ from math import gcd, lcm
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.algebra.forms.exact_forms import potential, without_constant_factor
+from lagrange.algebra.forms.exact_forms import Exactness, exactness, potential, without_constant_factor
 from lagrange.algebra.forms.factor_candidates import (
     FactorCandidate,
     OneForm,
@@ -46,7 +46,6 @@ from lagrange.algebra.forms.factor_methods import (
     symmetry_fields,
     unbarred,
 )
-from lagrange.algebra.forms.frobenius import Exactness, exactness
 from lagrange.algebra.forms.limits import (
     LARGEST_FACTOR,
     LARGEST_FORM,

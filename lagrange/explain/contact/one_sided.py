@@ -6,10 +6,10 @@ The forces that keep bodies where the coordinates can place them: a table under 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.core.expression_size import count_operations
 from lagrange.document.derivation import (
     Block,
@@ -34,6 +34,9 @@ from lagrange.mechanics.dynamics.contact.touching import HeldBody, held_bodies
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.mechanics.rewriting.factors import has_one_sign, with_common_factor
+
+if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.signs import SignCondition
 
 
 def explain_in_contact(constraints: Sequence[ConstraintAnalysis]) -> list[Prose]:

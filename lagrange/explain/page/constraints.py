@@ -24,7 +24,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.forms.frobenius import PartialsComparison
+from lagrange.algebra.forms.exact_forms import PartialsComparison
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import (
     DotProduct,

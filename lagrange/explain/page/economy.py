@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -44,10 +45,12 @@ from lagrange.explain.limits import LONGEST_IN_LINE, LONGEST_STEP, MOST_LINES_TW
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
-from lagrange.mechanics.questions.results import Asked, Route
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import in_factors_where, without_constant_factors
 from lagrange.mechanics.rewriting.readable_forms import multiplied_out
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.questions.results import Asked
 
 # -- one name for one unit vector ------------------------------------------------------------------------------------
 
@@ -568,6 +571,8 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
 
 def _resting(asked: Asked) -> dict[sp.Expr, sp.Expr]:
     """The velocities that a question about a state asks to be zero."""
+    from lagrange.mechanics.questions.results import Route
+
     if asked.route is not Route.STATE:
         return {}
     zero = [c.lhs for c in asked.question.when if isinstance(c.lhs, sp.Symbol) and c.rhs == 0]

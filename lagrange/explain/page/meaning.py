@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -30,10 +31,8 @@ from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
-from lagrange.explain.page.conclusions.combined import explain_combined
 from lagrange.explain.page.conclusions.course import explain_released, explain_sense, explain_swinging
 from lagrange.explain.page.conclusions.limiting import explain_limit, explain_massless
-from lagrange.explain.page.conclusions.positions import explain_rest
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.statement import raised
@@ -43,13 +42,15 @@ from lagrange.mechanics.consequences.course import swinging_rate
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import ResultMeaning
 from lagrange.mechanics.results import InCoordinates
-from lagrange.mechanics.rewriting.combinations import combinations
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
 from lagrange.mechanics.rewriting.integrals import is_multiple_of, without_constants
 from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquations, one_way
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 from lagrange.problem.model import Problem
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.linearization import Linearization
 
 
 def explain_meaning(
@@ -87,7 +88,7 @@ def explain_meaning(
     body += _turning(meaning)
     if meaning.consequences is not None:
         body += explain_consequences(meaning.consequences, meaning.view)
-    body += explain_rest(meaning.small)
+    body += _at_rest(meaning.small)
     body += map(explain_limit, meaning.limits)
     body += explain_massless(meaning.massless)
     body += explain_sense(meaning.sense)
@@ -117,6 +118,14 @@ def are_solved(view: InCoordinates, stated: StatedEquations, operations: int) ->
     return whole and alone and operations_of_equations(stated) <= LONGER_SOLVED * operations
 
 
+def _at_rest(small: Linearization | None) -> Iterator[Block]:
+    if small is None:
+        return
+    from lagrange.explain.page.conclusions.positions import explain_rest
+
+    yield from explain_rest(small)
+
+
 def _in_short(meaning: ResultMeaning, stated: StatedEquations, plain: StatedEquations) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion, form = meaning.view.motion, meaning.view.in_speeds
@@ -134,6 +143,9 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations, plain: StatedEqua
     if operations_of_equations(stated) < operations or (
         motion.completing and are_solved(meaning.view, stated, operations)
     ):
+        from lagrange.explain.page.conclusions.combined import explain_combined
+        from lagrange.mechanics.rewriting.combinations import combinations
+
         how = explain_combined(combinations(plain, meaning.view), motion)
         yield prose(Emphasis("In short"), ",", *how, purpose=Purpose.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)

@@ -39,12 +39,12 @@ from lagrange.core.records import record
 from lagrange.core.symbols import VectorSymbol, partial, prime, t
 from lagrange.core.vectors import FIXED, Vector
 from lagrange.mechanics.consequences.vectors import is_short, vanish_along
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.limits import LONGEST_CONSEQUENCE
 from lagrange.mechanics.results import InCoordinates, Solution
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 
 

@@ -31,6 +31,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -42,11 +43,13 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, differential, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.comparison import follow
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.limits import LONGEST_CONSEQUENCE, LONGEST_FOLLOWED
 from lagrange.mechanics.results import InCoordinates
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 
 @record

@@ -21,13 +21,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from itertools import chain
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.algebra.forms.derived_flag import Flag, Manoeuvre, derived_flag, manoeuvre
 from lagrange.algebra.forms.hidden_relations import (
     CombinedRelation,
+    Flag,
     HiddenRelations,
     combination,
     combined_relations,
@@ -47,8 +48,11 @@ from lagrange.mechanics.constraints.degeneracies import (
     check_follows,
     rank_losses,
 )
-from lagrange.mechanics.constraints.rigid_bodies import QuasiCoordinates, quasi_coordinates
 from lagrange.problem.model import Constraint, Force, Problem
+
+if TYPE_CHECKING:
+    from lagrange.algebra.forms.derived_flag import Manoeuvre
+    from lagrange.mechanics.constraints.rigid_bodies import QuasiCoordinates
 
 
 @record
@@ -121,6 +125,8 @@ class Classification:
     @property
     def manoeuvre(self) -> Manoeuvre | None:
         """Steps that lead where the only constraint, which is no integrable one, forbids a single step to go."""
+        from lagrange.algebra.forms.derived_flag import manoeuvre
+
         [row] = self.constrained.rows
         if row.drift != 0 or row.nonlinear is not None or t in {s for a in row.coefficients for s in a.free_symbols}:
             return None
@@ -183,7 +189,7 @@ def classify(problem: Problem) -> Classification:
     check_curved(problem.constraints, system)
     redundant = _redundant(problem.constraints, system)
     independent = system.without({r.name for r in redundant})
-    quasi = quasi_coordinates(problem) if len(system.geometric) < len(system.rows) else None
+    quasi = _quasi_coordinates(problem) if len(system.geometric) < len(system.rows) else None
     constraints = tuple(
         analysis(c, row, independent, quasi) for c, row in zip(problem.constraints, system.rows, strict=True)
     )
@@ -218,6 +224,12 @@ def _symbols_of(force: Force) -> set[sp.Symbol]:
     return symbols
 
 
+def _quasi_coordinates(problem: Problem) -> QuasiCoordinates | None:
+    from lagrange.mechanics.constraints.rigid_bodies import quasi_coordinates
+
+    return quasi_coordinates(problem)
+
+
 def _flag(system: ConstrainedSystem, rank: int, quasi: QuasiCoordinates | None) -> Flag:
     """The derived flag of the Pfaffian rows; it is that of all rows if the others are curved enough.
 
@@ -227,6 +239,8 @@ def _flag(system: ConstrainedSystem, rank: int, quasi: QuasiCoordinates | None) 
     rows, slots, finite = system.rows, system.slots, system.surface.constraints
     if rows and all(r.finite is not None for r in rows):
         return Flag((rank,), rank)  # differentials of the finite relations, whose derived system is the same
+    from lagrange.algebra.forms.derived_flag import derived_flag
+
     pfaffian = [r for r in rows if r.nonlinear is None]
     forms = [r.form for r in pfaffian]
     if quasi is not None:

@@ -31,15 +31,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.algebra.forms.antiderivatives import multiplied_out
-from lagrange.algebra.forms.derived_flag import derived_flag
-from lagrange.algebra.forms.exact_forms import ExteriorForm, one_form, potential, wedge
-from lagrange.algebra.forms.frobenius import (
-    Exactness,
-    component_writer,
-    exactness,
-    frobenius_form,
-    is_integrable,
-)
+from lagrange.algebra.forms.exact_forms import Exactness, ExteriorForm, exactness, one_form, potential, wedge
 from lagrange.algebra.forms.velocity_polynomials import is_affine
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import cleaned_up, in_differences, is_many_waves, tidied
@@ -47,11 +39,11 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.limits import CURVATURE_POINTS
-from lagrange.mechanics.constraints.rigid_bodies import QuasiCoordinates
 from lagrange.problem.model import Constraint
 
 if TYPE_CHECKING:
     from lagrange.algebra.forms.restrictions import FiniteForm
+    from lagrange.mechanics.constraints.rigid_bodies import QuasiCoordinates
 
 
 @record
@@ -205,11 +197,12 @@ def analysis(
     frobenius: tuple[FrobeniusComponent, ...] = ()
     solved_form: FiniteForm | None = None
     if row.finite is None and pairs.exact is not True:
+        from lagrange.algebra.forms.frobenius import is_integrable
+        from lagrange.algebra.forms.restrictions import finite_form
+
         integrable = is_integrable(form, slots, surface.constraints)
         if not any(map(is_many_waves, form)):  # the components of such a form would fill pages
             frobenius = _frobenius(row, independent.geometric, surface, slots)
-        from lagrange.algebra.forms.restrictions import finite_form
-
         solved_form = finite_form(form, surface, slots) if integrable is not False else None
         # A finite form is verified when it is found, and so decides where the jets of Frobenius' test could not.
         integrable = integrable if solved_form is None else True
@@ -235,6 +228,9 @@ def _in_quasi_coordinates(
     quasi: QuasiCoordinates,
 ) -> ConstraintAnalysis:
     """Analyse a constraint with quasi-coordinates: whether it is integrable is decided in true ones."""
+    from lagrange.algebra.forms.derived_flag import derived_flag
+    from lagrange.algebra.forms.frobenius import is_integrable
+
     slots, surface = independent.slots, independent.surface
     true_form = quasi.in_angles(row.form, slots)
     integrable: bool | None = None
@@ -297,6 +293,8 @@ def _is_integrable(system: ConstrainedSystem) -> bool | None:
 
 def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots) -> tuple[FrobeniusComponent, ...]:
     """ω ∧ dω ∧ df_1 ∧ ..., its components where the geometric constraints hold."""
+    from lagrange.algebra.forms.frobenius import component_writer, frobenius_form
+
     variables = (*slots.coordinates, t)
     form: ExteriorForm = {
         tuple(variables.index(v) for v in c.variables): c.coefficient

@@ -21,7 +21,8 @@ if these exclude it: a rod with x² + y² = l² never has x = y = 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cache
 from itertools import islice, product
 
 import sympy as sp
@@ -245,23 +246,33 @@ def _of_row(row: Row, independent: ConstrainedSystem) -> Sequence[RankLoss]:
 def _cases(conditions: Sequence[sp.Expr], slots: Slots) -> list[tuple[sp.Expr, ...]]:
     """Sets of factors, one of each product at least: where those of some set vanish, all products do."""
     cases: dict[tuple[sp.Expr, ...], None] = {}
+
+    @cache  # the same factors occur in many choices
+    def factors_of(e: sp.Expr) -> tuple[sp.Expr, list[sp.Expr]]:
+        rest = multiplied_out(e)
+        return rest, [] if rest == 0 else _varying(rest, slots)
+
     for choice in islice(product(*(_varying(c, slots) for c in conditions)), MOST_CASES):
-        if (case := _reduced(dict.fromkeys(choice), slots)) is not None:
+        if (case := _reduced(dict.fromkeys(choice), slots, factors_of)) is not None:
             cases[case] = None
     return [case for case in cases if not any(set(other) < set(case) for other in cases)]
 
 
-def _reduced(case: Iterable[sp.Expr], slots: Slots) -> tuple[sp.Expr, ...] | None:
-    """The conditions with what follows from q = 0 for some coordinates put in; None if they cannot all hold."""
+def _reduced(
+    case: Iterable[sp.Expr], slots: Slots, factors_of: Callable[[sp.Expr], tuple[sp.Expr, list[sp.Expr]]]
+) -> tuple[sp.Expr, ...] | None:
+    """The conditions with what follows from q = 0 for some coordinates put in; None if they cannot all hold.
+
+    factors_of  an expression multiplied out, and its factors that may vanish
+    """
     conditions = list(case)
     while True:
         zeros = dict.fromkeys((c for c in conditions if c in slots.coordinates), sp.S.Zero)
         left: dict[sp.Expr, None] = dict.fromkeys(zeros)
         for condition in (c for c in conditions if c not in zeros):
-            rest = multiplied_out(condition.xreplace(zeros))
+            rest, varying = factors_of(condition.xreplace(zeros))
             if rest == 0:
                 continue
-            varying = _varying(rest, slots)
             if not varying:
                 return None
             left[varying[0] if len(varying) == 1 else condition] = None

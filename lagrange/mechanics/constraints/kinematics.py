@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -25,7 +26,6 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, free_letter, partial, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
-from lagrange.mechanics.constraints.rigid_bodies import Rotation, rotation_in, rotation_of
 from lagrange.mechanics.constraints.springs_dampers import (
     DamperForce,
     StretchedSpring,
@@ -43,6 +43,9 @@ from lagrange.mechanics.constraints.variable_mass import (
     variable_masses,
 )
 from lagrange.problem.model import AppliedForce, AppliedMoment, GeneralizedForce, Potential, Problem, Range
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 POTENTIAL_LETTER = sp.Symbol("V", real=True)
 
@@ -269,6 +272,14 @@ def applied_loads(problem: Problem) -> tuple[Load, ...]:
     return tuple(loads)
 
 
+def _rotations(problem: Problem) -> tuple[Rotation, ...]:
+    if not problem.bodies:
+        return ()
+    from lagrange.mechanics.constraints.rigid_bodies import rotation_of
+
+    return tuple(rotation_of(b, problem.slots) for b in problem.bodies)
+
+
 def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Configuration:
     """The system in the coordinates of the file."""
     springs = stretched_springs(problem)
@@ -284,7 +295,7 @@ def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Conf
         potential=sp.Add(static, *(s.energy for s in springs)),
         springs=springs,
         dampers=damper_forces(problem),
-        rotations=tuple(rotation_of(b, problem.slots) for b in problem.bodies),
+        rotations=_rotations(problem),
         torques=tuple(Torque(f.name, f.on, f.moment) for f in problem.forces if isinstance(f, AppliedMoment)),
         ranges={q.symbol: q.range for q in problem.coordinates if q.range is not None},
         velocity_part=-moving,
@@ -339,6 +350,11 @@ def substituted_configuration(
     loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
     springs = tuple(rewritten_spring(s, rule) for s in original.springs)
     others = original.potential - sp.Add(*(s.energy for s in original.springs))
+    rotations: tuple[Rotation, ...] = ()
+    if original.rotations:
+        from lagrange.mechanics.constraints.rigid_bodies import rotation_in
+
+        rotations = tuple(rotation_in(r, dict(expressed), rule, slots) for r in original.rotations)
     return Configuration(
         name,
         constrained,
@@ -348,7 +364,7 @@ def substituted_configuration(
         expressed,
         springs,
         dampers=tuple(rewritten_damper(d, rule, slots) for d in original.dampers),
-        rotations=tuple(rotation_in(r, dict(expressed), rule, slots) for r in original.rotations),
+        rotations=rotations,
         torques=tuple(Torque(m.name, m.on, m.vector.xreplace(rule)) for m in original.torques),
         ranges={q: r for q, r in original.ranges.items() if q in coordinates},
         velocity_part=original.velocity_part.xreplace(rule),

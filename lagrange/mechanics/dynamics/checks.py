@@ -27,7 +27,6 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Point, Surface, agreed, has_real_point
-from lagrange.algebra.forms.derived_flag import derived_flag
 from lagrange.algebra.forms.exact_forms import ExteriorForm, differentiated, exterior_derivative, one_form, wedge
 from lagrange.algebra.fourier.vector_cleanup import is_many_waves
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
@@ -39,7 +38,6 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.constraints.rigid_bodies import relative_to_triad
 from lagrange.mechanics.dynamics.comparison import (
     System,
     affine_rows,
@@ -63,6 +61,10 @@ def check_constant_inertia(problem: Problem, configuration: Configuration) -> No
 
     Raises ProblemError with the reason, UndecidedError if this could not be decided.
     """
+    if not problem.bodies:
+        return
+    from lagrange.mechanics.constraints.rigid_bodies import relative_to_triad
+
     rotations = {r.name: r for r in configuration.rotations}
     for body in problem.bodies:
         parts = relative_to_triad(rotations[body.name], configuration.slots)
@@ -145,6 +147,8 @@ def check_integrability(classification: Classification) -> list[Check]:
         if tested and not c.exactness.exact and c.integrable is not None:
             name = f"Frobenius' condition {'holds' if c.integrable else 'fails'} for {_called(c.row)}"
             if any(map(is_many_waves, c.row.form)):  # its components would fill pages
+                from lagrange.algebra.forms.derived_flag import derived_flag
+
                 system = classification.constrained
                 finite = system.without(classification.redundant).geometric
                 flag = derived_flag([c.row.form], system.slots, [r.finite for r in finite if r.finite is not None])

@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -30,7 +31,6 @@ from lagrange.core.symbols import partial, prime
 from lagrange.mechanics.constraints.constrained_system import Row, is_pfaffian
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.checks import Check, certainty, displacement_basis, with_accelerations
 from lagrange.mechanics.dynamics.comparison import System, agreed_in_motion, follow
 from lagrange.mechanics.dynamics.energy_functions import EnergyFunctions, energy_functions, in_one_term
@@ -46,6 +46,9 @@ from lagrange.mechanics.dynamics.noether import (
     symmetries,
 )
 from lagrange.mechanics.dynamics.principle import dot
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 
 def admitted_displacements(elimination: Elimination, configuration: Configuration) -> list[tuple[sp.Expr, ...]]:

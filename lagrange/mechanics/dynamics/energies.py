@@ -17,6 +17,7 @@ Reference: Whittaker, Analytical Dynamics, §§ 26, 30, 87.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -27,7 +28,6 @@ from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.lagrangian import (
     is_constant,
     kinetic_energy,
@@ -37,6 +37,9 @@ from lagrange.mechanics.dynamics.lagrangian import (
     velocity_of,
 )
 from lagrange.mechanics.dynamics.principle import Balance
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 WEIGHT = "weight"
 

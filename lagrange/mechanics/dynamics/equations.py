@@ -26,7 +26,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import sympy as sp
 
@@ -49,11 +49,13 @@ from lagrange.core.symbols import partial, prime, variation
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination, TooLongError, eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.energies import Energies
 from lagrange.mechanics.dynamics.limits import INERTIA_POINTS, LONGEST_RATES, MOST_LONGER
 from lagrange.mechanics.dynamics.principle import Balance, Principle
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
 from lagrange.problem.model import Body
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.energies import Energies
 
 
 @record

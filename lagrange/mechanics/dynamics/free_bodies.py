@@ -22,6 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -35,8 +36,10 @@ from lagrange.core.vectors import Triad, Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.coordinates import solved_constraints
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.problem.model import Constraint
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 
 @record

@@ -18,6 +18,8 @@ constraint excludes, or ∂T/∂q' loses the terms that its reaction balances.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import sympy as sp
 
 from lagrange.core.effort import kept_result
@@ -25,8 +27,10 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, partial, t
 from lagrange.core.vectors import Components, Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint, Torque
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 
 @record

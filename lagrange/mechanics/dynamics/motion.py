@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
 from functools import cached_property
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import sympy as sp
 
@@ -25,7 +25,6 @@ from lagrange.core.symbols import Sign
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration, Load
 from lagrange.mechanics.dynamics.comparison import follow
-from lagrange.mechanics.dynamics.energies import energies
 from lagrange.mechanics.dynamics.equations import (
     EquationsOfMotion,
     LagrangeMotion,
@@ -43,7 +42,6 @@ from lagrange.mechanics.dynamics.friction import (
     symbolic_loads,
 )
 from lagrange.mechanics.dynamics.limits import LONGEST_SUBSTITUTED, MOST_FREE
-from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
 from lagrange.mechanics.dynamics.principle import Balance, dalembert
 from lagrange.mechanics.dynamics.reactions import (
@@ -55,6 +53,9 @@ from lagrange.mechanics.dynamics.reactions import (
     written_out,
 )
 from lagrange.problem.model import Friction, Problem
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.matrix_form import MatrixForm
 
 T = TypeVar("T")
 
@@ -102,11 +103,17 @@ class NewtonLaw:
 
     def balance(self, configuration: Configuration) -> Balance:
         """The coefficients of the virtual displacements of a configuration, from the principle or from T and V."""
-        return energies(configuration) if self.method is Method.LAGRANGE else dalembert(configuration)
+        if self.method is not Method.LAGRANGE:
+            return dalembert(configuration)
+        from lagrange.mechanics.dynamics.energies import energies
+
+        return energies(configuration)
 
     def equations(self, configuration: Configuration, elimination: Elimination) -> EquationsOfMotion:
         """The equations of motion of a configuration."""
         if self.method is Method.LAGRANGE:
+            from lagrange.mechanics.dynamics.energies import energies
+
             unknown = self.newton.multipliers_by_name.values()
             return self._named(lagrange_motion(energies(configuration), elimination, tuple(unknown)))
         return equations_of_motion(dalembert(configuration), elimination)
@@ -177,7 +184,18 @@ class Motion:
     @cached_property
     def matrices(self) -> MatrixForm:
         """The equations in matrix form."""
+        from lagrange.mechanics.dynamics.matrix_form import matrix_form
+
         return matrix_form(self.equations)
+
+    def with_accelerations(self) -> Motion:
+        """With the equations solved for the accelerations, unless they are known or too large."""
+        from lagrange.mechanics.dynamics.matrix_form import may_be_solved, solved_accelerations
+
+        if self.accelerations or not may_be_solved(self.equations.configuration):
+            return self
+        solved = solved_accelerations(self.matrices)
+        return replace(self, solved=solved) if solved else self
 
     @property
     def accelerations(self) -> Mapping[sp.Symbol, sp.Expr]:

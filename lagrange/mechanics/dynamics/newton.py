@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field, replace
+from functools import cache
 
 import sympy as sp
 
@@ -559,10 +560,8 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
     per_force = form if reaction.per_force == 1 else textbook_form(form * reaction.per_force)
     virtual = sp.Add(*shares.values(), on_others) if is_known else per_force
     solved = dict(elimination.solved(slots))
-
-    def vanishes(work: sp.Expr) -> bool | None:
-        return surface.is_zero(work.xreplace(solved))  # the independent δq are random at every point
-
+    # The independent δq are random at every point.
+    vanishes = cache(lambda work: surface.is_zero(work.xreplace(solved)))
     working = tuple(name for name, work in shares.items() if vanishes(work) is False)
     possible = textbook_form(drift) * reaction.force * differential(t)
     return WorkOfReaction(

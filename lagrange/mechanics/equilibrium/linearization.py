@@ -17,8 +17,9 @@ the verdict. Reference: Lagrange 1788, part 2, section 6; Whittaker, Analytical 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field, replace
+from functools import cached_property
 from itertools import product
 
 import sympy as sp
@@ -36,7 +37,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_ze
 from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import never_vanishes, prime
+from lagrange.core.symbols import never_vanishes, partial, prime
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -263,6 +264,11 @@ class _About:
         self.omitted: list[int] = []
         self.worked_out = 0
 
+    @cached_property
+    def derivatives(self) -> tuple[Table, Table, Table]:
+        """M, D and K at any place: those about each branch are their values there."""
+        return _derivatives(self.form, self.resting)
+
     def add(self, b: Branch) -> None:
         """The next branch; its linear equations are worked out unless it is a copy or one of too many."""
         s, copy = self._of(b) if not b.left and not b.special else (None, None)
@@ -276,7 +282,7 @@ class _About:
             self.omitted.append(len(self.branches))
             return None, None
         try:
-            matrices = matrices_on(b, self.form, self.resting)
+            matrices = matrices_on(b, self.form, self.resting, self.derivatives)
         except (DivisionByZeroError, ZeroDivisionError):
             return None, None
         if matrices is None:
@@ -416,27 +422,48 @@ def _damped(system: LinearSystem, judgement: StabilityJudgement) -> DampedOscill
     return DampedOscillation(own, sp.factor(d / (2 * m)), without_minus(sp.factor(own - d**2 / (4 * m**2))))
 
 
+Table = tuple[tuple[sp.Expr, ...], ...]
+
+
+def _derivatives(form: MatrixForm, resting: Equilibrium) -> tuple[Table, Table, Table]:
+    """M, and the derivatives −∂Q/∂q' and −∂(Q + Aᵀ λ)/∂q at rest, at any place.
+
+    K is minus the derivative of Q + Aᵀ λ at constant λ: without λ the curvature of the constraints would be missing,
+    and a pendulum in x, y would have no stiffness.
+    """
+    slots = form.configuration.slots
+    rows = [r for r in form.configuration.rows if not r.is_identity]
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+    reactions = (
+        sp.Add(*(m * r.coefficients[k] for m, r in zip(resting.multipliers, rows, strict=True)))
+        for k in range(len(form.force))
+    )
+    still = [f.xreplace(at_rest) + reaction for f, reaction in zip(form.force, reactions, strict=True)]
+
+    def slope(f: sp.Expr, s: sp.Symbol) -> sp.Expr:
+        """With the δ functions at jumps, by which a place on a jump is known (`_is_smooth`)."""
+        return f.diff(s) if f.has(sp.sign) else partial(f, s)
+
+    def written(table: Iterable[Iterable[sp.Expr]]) -> Table:
+        return tuple(tuple(without_time(e, form.configuration) for e in row) for row in table)
+
+    return (
+        written(form.mass),
+        written((-slope(f, v).xreplace(at_rest) for v in slots.velocities) for f in form.force),
+        written((-slope(f, q) for q in slots.coordinates) for f in still),
+    )
+
+
 def matrices_on(
-    b: Branch, form: MatrixForm, resting: Equilibrium
+    b: Branch, form: MatrixForm, resting: Equilibrium, derivatives: tuple[Table, Table, Table]
 ) -> tuple[tuple[int, ...], Matrix, Matrix, Matrix, Matrix] | None:
     """The free coordinates, N, and the reduced M, D, K on a branch; None if they cannot be written in closed form."""
     slots = form.configuration.slots
-    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
     rows = [r for r in form.configuration.rows if not r.is_identity]
     constraints = [[on_branch(b, a, resting) for a in r.coefficients] for r in rows]
-    # K is minus the derivative of Q + Aᵀ λ at constant λ: without λ the curvature of the constraints would be missing,
-    # and a pendulum in x, y would have no stiffness.
-    forces = [
-        f.xreplace(at_rest) + sp.Add(*(m * r.coefficients[k] for m, r in zip(resting.multipliers, rows, strict=True)))
-        for k, f in enumerate(form.force)
-    ]
-
-    def value(e: sp.Expr) -> sp.Expr | None:
-        return on_branch(b, without_time(e, form.configuration), resting, in_parameters=True)
-
-    mass = [[value(e) for e in row] for row in form.mass]
-    damping = [[value((-f.diff(v)).xreplace(at_rest)) for v in slots.velocities] for f in form.force]
-    stiffness = [[value(-p.diff(q)) for q in slots.coordinates] for p in forces]
+    mass, damping, stiffness = (
+        [[on_branch(b, e, resting, in_parameters=True) for e in row] for row in table] for table in derivatives
+    )
     known = [*constraints, *mass, *damping, *stiffness]
     if any(e is None or not _is_smooth(e, form.configuration) for row in known for e in row):
         return None

@@ -17,12 +17,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import in_sines, shortest_form
 from lagrange.algebra.exact.zero_test import Surface, is_zero
-from lagrange.algebra.forms.frobenius import WedgeComponent, frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes, count_operations
 from lagrange.core.records import record
@@ -36,6 +36,9 @@ from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.limits import LONGEST_CANCELLED, MOST_EXPANDED_TERMS
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Constraint, Problem
+
+if TYPE_CHECKING:
+    from lagrange.algebra.forms.frobenius import WedgeComponent
 
 
 def common_number(row: Row) -> sp.Integer:
@@ -122,6 +125,8 @@ def integral_in_angle(c: ConstraintAnalysis) -> sp.Expr | None:
 
 def frobenius_on_surface(row: Row, slots: Slots) -> ReducedFrobenius | None:
     """Frobenius' product of the only form; None unless one component, which does not vanish, settles the question."""
+    from lagrange.algebra.forms.frobenius import frobenius_form
+
     form = _without_constants(row, slots)
     components = frobenius_form(form, slots.coordinates, slots)
     if len(components) != 1 or not components[0].nonzero:

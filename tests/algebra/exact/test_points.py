@@ -72,6 +72,27 @@ def test_affine_rows_are_the_derivatives(point: Point) -> None:
         assert all(close(point, a, b) for a, b in zip(row, expected, strict=True))
 
 
+def test_a_row_takes_the_unknowns_that_occur(point: Point, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the multipliers of hundreds of constraints an equation has a few: nothing is looked up for the others."""
+    unknowns = sp.symbols("c1:101", real=True)
+    asked: list[sp.Symbol] = []
+    real = type(point).input
+
+    def input_of(self: Point, symbol: sp.Symbol) -> object:
+        asked.append(symbol)
+        return real(self, symbol)
+
+    monkeypatch.setattr(type(point), "input", input_of)
+    rows = point.affine([x * c for c in unknowns], unknowns)
+    assert rows is not None
+    assert all(
+        close(point, a, point.value(x) if n == k else point.number(0))
+        for n, row in enumerate(rows)
+        for k, a in enumerate(row)
+    )
+    assert len(asked) < 20 * len(unknowns)
+
+
 @pytest.mark.parametrize("expression", [u**2, u * v, 1 / u, sp.sin(u), sp.Abs(u), sp.sqrt(1 + u**2), u**3 - u])
 def test_what_is_not_affine_has_no_row(point: Point, expression: sp.Expr) -> None:
     assert point.affine([u, expression], [u, v]) is None

@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface, is_zero
-from lagrange.algebra.forms.frobenius import exactness, frobenius_form, is_integrable
+from lagrange.algebra.forms.exact_forms import exactness
+from lagrange.algebra.forms.frobenius import frobenius_form, is_integrable
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from tests.support.exterior import Form, concrete, d, is_frobenius, wedge
 

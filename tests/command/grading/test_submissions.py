@@ -108,6 +108,36 @@ def test_what_is_no_file_is_not_opened(folder: Path, monkeypatch: pytest.MonkeyP
     assert refused(Path("/dev/zero")) == "is a device, which is not opened"
 
 
+def test_what_changes_while_it_is_read_is_not_graded(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A student's editor saves while the batch runs: half of an old answer and half of a new one is neither."""
+    path, real, changes = folder / "a.txt", os.fstat, [0, 1]
+    path.write_bytes(b"x'' = 0\n")
+
+    def appended(descriptor: int) -> os.stat_result:
+        """Something is appended after the first look."""
+        status = real(descriptor)
+        if changes.pop():
+            with path.open("ab") as file:
+                file.write(b"y'' = 0\n")
+        return status
+
+    monkeypatch.setattr("os.fstat", appended)
+    assert refused(path) == "was changed while it was read"
+    monkeypatch.undo()
+    opened = os.open
+
+    def replaced(place: Path, flags: int) -> int:
+        """Another file has its name by the time that it is opened."""
+        (folder / "b.txt").write_bytes(b"z'' = 0\n")
+        os.replace(folder / "b.txt", path)
+        return opened(place, flags)
+
+    monkeypatch.setattr("os.open", replaced)
+    assert refused(path) == "was replaced while it was read"
+    monkeypatch.undo()
+    assert read(path).files == (("a.txt", b"z'' = 0\n"),)
+
+
 def test_what_is_too_large_is_not_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with (folder / "large").open("wb") as file:
         file.truncate(50 << 20)

@@ -11,8 +11,9 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import ProblemError
-from lagrange.core.symbols import t
+from lagrange.core.symbols import Slots, t
 from lagrange.explain.report import report
+from lagrange.mechanics.constraints import degeneracies
 from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.degeneracies import RankLoss
 from lagrange.mechanics.solution import solve
@@ -223,6 +224,24 @@ def test_constraints_that_need_one_more(
             solve(problem(text(coordinates, f"{constraints}, more: {condition} = 0"))).classification.rank
             == independent
         )
+
+
+def test_a_factor_in_many_cases_is_multiplied_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where y z, x z and x y vanish: eight choices of factors, which are three."""
+    x, y, z = sp.symbols("x y z", real=True)
+    factors = [q**2 + q - 1 for q in (x, y, z)]
+    asked: list[sp.Expr] = []
+    real = degeneracies.multiplied_out
+
+    def multiplied_out(e: sp.Expr) -> sp.Expr:
+        asked.append(e)
+        return real(e)
+
+    monkeypatch.setattr(degeneracies, "multiplied_out", multiplied_out)
+    pairs = [factors[1] * factors[2], factors[0] * factors[2], factors[0] * factors[1]]
+    cases = degeneracies._cases(pairs, Slots((x, y, z)))
+    assert {frozenset(c) for c in cases} == {frozenset(factors) - {f} for f in factors}
+    assert sorted(asked, key=str) == sorted(factors, key=str)
 
 
 def test_nested_functions_are_differentiated_only_where_a_derivative_decides(problem: Read) -> None:

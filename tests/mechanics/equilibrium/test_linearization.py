@@ -15,6 +15,7 @@ from mpmath import diff, matrix, mp, mpc, mpf, polyroots
 
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.explain.rest.oscillations import explain_omitted
+from lagrange.mechanics.equilibrium import linearization as linearizations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagsolve.exit_statuses import status_of_error
 from tests.support import shared
@@ -330,3 +331,19 @@ def test_an_angle_beside_its_own_sine_has_its_value_at_rest() -> None:
     assert [sp.simplify(f.square + g / (l + sp.pi * R)) for f in upright.system.frequencies] == [0]
     assert hanging.judgement.stability.verdict is StabilityVerdict.STABLE
     assert all(c.passed for c in solution.checks)
+
+
+def test_forces_are_differentiated_once_for_all_equilibria(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A double pendulum has four, and two forces with two velocities and two angles."""
+    taken: list[sp.Symbol] = []
+    real = linearizations.partial
+
+    def partial(e: sp.Expr, s: sp.Symbol) -> sp.Expr:
+        taken.append(s)
+        return real(e, s)
+
+    monkeypatch.setattr(linearizations, "partial", partial)
+    linear = solved(DOUBLE).own.linearization
+    assert linear is not None
+    assert len(linear.branches) == 4
+    assert len(taken) == 8

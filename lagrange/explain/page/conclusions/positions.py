@@ -21,13 +21,11 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 
 
-def explain_rest(small: Linearization | None) -> Iterator[Block]:
+def explain_rest(small: Linearization) -> Iterator[Block]:
     """`At rest: θ = 0, stable; θ = π, unstable. Small motion: θ = ξ, ..., with the period 2π √(l/g).`
 
     Of several coordinates the stable positions only, with their frequencies; nothing if a position has conditions.
     """
-    if small is None:
-        return
     places: list[tuple[tuple[Part, ...], str]] = []
     motions: list[Block] = []
     for branch, at in zip(small.branches, small.at, strict=True):
