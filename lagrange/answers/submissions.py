@@ -50,10 +50,20 @@ from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.answers.written.notation.rare import ratios_of
 from lagrange.answers.written.notation.typesetters import in_plain_formulas
+from lagrange.answers.written.values import stability_of_it
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.edits import cuts
-from lagrange.expressions.latex_layout import LayoutMark, Region, delimited, equations, has_equation, marks_of, rows
+from lagrange.expressions.latex_layout import (
+    LayoutMark,
+    OneEquation,
+    Region,
+    delimited,
+    equations,
+    has_equation,
+    marks_of,
+    rows,
+)
 from lagrange.expressions.reader import is_inequality
 from lagrange.problem.model import Answers
 from lagrange.problem.sources import decode
@@ -294,7 +304,8 @@ def _of_block(
     labels: frozenset[int],
 ) -> Iterator[Fragment]:
     """The equations in lines between empty ones."""
-    for start, end in joined_lines(lines):
+    places = [*joined_lines(lines)]
+    for n, (start, end) in enumerate(places):
         line = fragment.text[start:end]
         if cells := cells_of_row(line):
             for a, b in cells:
@@ -306,9 +317,12 @@ def _of_block(
         elif has_sign_of_equality(line):
             begins = start + _beginning(line, number, bullet, labels)
             beside = f"{words} {fragment.text[start:begins]}".strip()
-            for e in equations_of_line(_part(fragment, begins, end), beside):
+            found = [*equations_of_line(_part(fragment, begins, end), beside)]
+            of_last = stability_of_it(fragment.text[slice(*places[n + 1])]) if n + 1 < len(places) else ""
+            for k, e in enumerate(found, 1):
                 number += 1
-                yield e
+                is_last = k == len(found) and bool(of_last)
+                yield replace(e, beside=f"{e.beside}; {of_last}") if is_last and isinstance(e, OneEquation) else e
         elif not is_mathematics(line):
             words = line.strip()
 

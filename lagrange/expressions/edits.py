@@ -79,10 +79,11 @@ class Draft:
         self._places = self._places[start : end + 1]
 
     def finished(self, latex: bool = False) -> Fragment:
-        """The fragment; the outer one where nothing was changed."""
+        """The fragment, with the words beside it; the outer one where nothing was changed."""
         if self.text == self.outer.text and not latex:
             return self.outer
-        return Rewritten(self.text, self.outer.whole, self.outer.start, self.outer, tuple(self._places), latex)
+        outer, beside = self.outer, getattr(self.outer, "beside", "")
+        return Rewritten(self.text, outer.whole, outer.start, outer, tuple(self._places), latex, beside=beside)
 
 
 def closings(text: str) -> dict[int, int]:

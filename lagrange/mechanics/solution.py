@@ -422,7 +422,7 @@ def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
             checks.extend(check_hamiltonian(view.hamiltonian) if view.hamiltonian else ())
         if Find.STEADY in find:
             on_stage(_stage("steady motions", view))
-            view = replace(view, steady=steady_motions(equations, taken))
+            view = replace(view, steady=steady_motions(equations, taken, solution.problem.radius))
             checks.extend(check_steady(view.steady) if view.steady else ())
         return view
 

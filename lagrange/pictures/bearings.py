@@ -14,6 +14,7 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, solved, unit
+from lagrange.pictures.implied.halves import HALF, half_disc, level_of
 from lagrange.pictures.inferred import BEARING, fulcrum, roller
 from lagrange.pictures.limits import SAME_ON_PAGE, SAME_SHAPE
 from lagrange.pictures.loads import force_label
@@ -37,7 +38,6 @@ from lagrange.problem.keys import Outline
 from lagrange.problem.model import Friction
 
 ON_FLOOR = re.compile(r"\b(floor|ground|table|ice|road)\b", re.IGNORECASE)
-HALF = re.compile(r"hemispher|semi-?circ|half[- ](cylinder|disc|disk|sphere|ball)", re.IGNORECASE)
 ROUND = (Outline.DISC, Outline.RING, Outline.SPHERE)
 _SLOT = 0.11
 """Half the width of a slot, in centimetres: a pin fits in."""
@@ -182,6 +182,7 @@ class Supports:
             if self.is_friction(reaction, known):
                 continue
             held = reaction.name in known.at and self.stays(p, rotation, known.at[reaction.name])
+            held = held and (reaction.constraint.side is None or bool(BEAM.search(self.system.text)))
             if point is None or (math.hypot(*point) < 1e-6 and not held):
                 continue
             if not has_one_direction(self.pose, reaction, p.name):
@@ -346,6 +347,18 @@ class Supports:
     def outline(self, p: MassPoint) -> bool:
         """Draw a body that rests on a round part: a half disc around its mass centre, or a disc; whether it is one."""
         parts = self.round_parts(p)
+        half = None if parts else half_disc(self.system, p)
+        if half is not None:
+            centres, length = half
+            parts = [(centres[0], length)]
+            way = level_of(centres)
+            if way is not None:
+                along = toward((0.0, 0.0), self.system.page.way(way))
+                up = left_of(along) if inner(left_of(along), self.down) <= 0 else scaled(left_of(along), -1.0)
+                size = length * self.system.page.scale
+                foot = beyond(self.system.page(centres[0]), up, -size)
+                self.sketch.wall(foot, up, size + 0.9)
+                self.touched.append(foot)
         for at, radius in parts:
             centre, size = self.system.page(at), radius * self.system.page.scale
             if HALF.search(self.system.text):

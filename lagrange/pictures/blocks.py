@@ -30,8 +30,8 @@ from lagrange.pictures.inferred import CORNER, rail
 from lagrange.pictures.limits import LEAST_SLOPE, SAME_ON_PAGE, SAME_SHAPE, SLOPE_ARC, STEEPEST_SLOPE
 from lagrange.pictures.poses import is_distance
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, lies_on, scaled, toward
-from lagrange.pictures.systems import SystemPicture
-from lagrange.problem.keys import Outline
+from lagrange.pictures.systems import ROD, SystemPicture, is_string
+from lagrange.problem.keys import Keeper, Outline
 
 _VEHICLES = r"cart|car|carriage|trolley|wagon|truck|lorry|bus|train|locomotive|tram|sledge|sled"
 _BOATS = r"boat|ship|barge|canoe|punt"
@@ -353,7 +353,11 @@ class Blocks:
         """The line of a constraint on which a particle alone is kept, or the tangent of its curve."""
         pose, page = self.system.pose, self.system.page
         for reaction in self.system.newton.reactions:
-            if reaction.rod is not None or set(reaction.directions or ()) != {p.name}:
+            by = reaction.constraint.by
+            link = by in (Keeper.ROD, Keeper.STRING) or (
+                by is None and (ROD.search(reaction.name) or is_string(reaction))
+            )
+            if link or reaction.rod is not None or set(reaction.directions or ()) != {p.name}:
                 continue
             force = reaction.per_unit(p.name)
             if force is None:
@@ -365,7 +369,10 @@ class Blocks:
         return None
 
     def is_block(self, p: MassPoint) -> bool:
-        """Whether the text calls a particle a block."""
+        """Whether the text calls a particle a block, or a spring pulls it along a table or rail."""
+        way = self.way(p) if any(p.name in link.ends for link in self.system.links) else None
+        if way is not None and not way.is_upright and _GROUND.search(_IN_PLANE.sub("", self.system.text)):
+            return True
         name = p.name.replace("_", " ")
         text = f"{self.system.problem.title} {self.system.problem.description}"
         weighed = re.search(rf"\b(?i:{_BLOCK})s? of mass \$?{re.escape(str(p.mass))}\b", text)
@@ -388,7 +395,7 @@ class Blocks:
 
     def height(self, p: MassPoint) -> float:
         """The height of a block: more where a spring and a damper hold it side by side."""
-        pairs = [frozenset(link.ends) for link in self.system.configuration.links if p.name in link.ends]
+        pairs = [frozenset(link.ends) for link in self.system.links if p.name in link.ends]
         return HIGH if len({*pairs}) == len(pairs) else 2 * HIGH
 
     def block(self, p: MassPoint, way: Way | None, carries: str | None) -> None:
@@ -476,7 +483,7 @@ class Blocks:
     def stops(self, way: Way) -> list[tuple[PagePoint, PagePoint | None]]:
         """Where a ground ends: walls, and pulleys at its edge, each with the centre of the pulley."""
         moving = {*self.system.pose.coordinates}
-        ends = {e for link in self.system.configuration.links for e in link.ends if isinstance(e, Vector)}
+        ends = {e for link in self.system.links for e in link.ends if isinstance(e, Vector)}
         places = [
             self.system.page(self.system.pose.at(e)) for e in ends if not e.fixed().as_sum().free_symbols & moving
         ]

@@ -16,6 +16,7 @@ import sympy as sp
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus
+from lagrange.pictures.implied.rods_at_rest import RodAtRest
 from lagrange.pictures.inferred import STRINGS
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.linkages import Links
@@ -31,7 +32,8 @@ from lagrange.pictures.poses import (
 )
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import Sketch, apart, beyond, in_line, left_of, overlapping, same_ends, toward
-from lagrange.pictures.systems import ROD, PaperMap, SystemPicture
+from lagrange.pictures.systems import ROD, SystemPicture
+from lagrange.pictures.views import PaperMap
 from lagrange.problem.model import Drawn
 
 _RODS = (Drawn.RODS, Drawn.STRINGS)
@@ -161,6 +163,10 @@ class CoordinateDrawings:
         ):
             self.angle_at(swinging[0])
             return True
+        of_rods = [m for rod in self.system.rods_at_rest if (m := self.at_lower_end(q, rod)) is not None]
+        if of_rods:
+            self.angle_at(of_rods[0])
+            return True
         angles = [(p, m) for p in self.system.marked_points if (m := angle_mark(self.pose, q, p.position)) is not None]
         if angles:  # of two points on opposite sides of a centre, the one that is counted from the axis itself
             p, mark = max(angles, key=lambda f: round(sum(f[1].reference) / math.hypot(*f[1].reference), 6))
@@ -179,6 +185,11 @@ class CoordinateDrawings:
                 self.angle_at(max(candidates, key=lambda m: sum(m.reference)))
                 return True
         return False
+
+    def at_lower_end(self, q: sp.Symbol, rod: RodAtRest) -> AngleMark | None:
+        """The angle of a rod at rest, at the lower of its ends."""
+        low, high = sorted(rod.ends, key=lambda end: self.flat(self.pose.at(end))[1])
+        return relative_angle_mark(self.pose, q, high, low)
 
     def angle_at(self, mark: AngleMark) -> None:
         """An angle, with the line to its point if none is drawn yet."""

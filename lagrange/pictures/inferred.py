@@ -22,6 +22,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
+from lagrange.pictures.implied.turning_guides import turning_guides
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import circle_of, is_distance, relative_angle_mark
 from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, lies_on, same_ends, scaled, toward
@@ -80,6 +81,7 @@ class Inferred:
         bound = {name for r in kept for name in (r.directions or {})}
         points = self.system.configuration.points
         weightless = all(p.mass == 0 for p in points)  # at rest: the points of rods, at which loads act
+        bound |= {p.name for p in points for rod in self.system.rods_at_rest if p.position.fixed() == rod.middle}
         yield from (p for p in points if (p.mass != 0 or weightless) and p.name not in bodies and p.name not in bound)
 
     def at(self, position: Vector) -> PagePoint:
@@ -88,11 +90,13 @@ class Inferred:
 
     def guide(self, p: MassPoint) -> bool:
         """The straight rod or tube through a fixed place, which turns, and along which a particle slides."""
-        linked = {e for link in self.system.configuration.links for e in link.ends}
+        linked = {e for link in self.system.links for e in link.ends}
         if not _GUIDE.search(self.system.text) or p.name in linked:
             return False
         poses = (self.pose, *self.pose.others)
         later = replace(self.pose, values={**self.pose.values, t: self.pose.values.get(t, 0.0) + 0.3})
+        if [*turning_guides(self.system)]:
+            return True
         for q in self.pose.coordinates:
             with suppress(NoValueError):
                 if not is_distance(self.pose, q, p.position):

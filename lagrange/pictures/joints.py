@@ -14,7 +14,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.pictures.floats import FloatVector, NoValueError
-from lagrange.pictures.poses import AngleMark, Pose, angle_mark
+from lagrange.pictures.poses import AngleMark, Pose, angle_mark, circle_of
 from lagrange.pictures.shapes import coordinates_in_body, plane_rotation
 
 
@@ -78,7 +78,7 @@ def circle_centres(pose: Pose, p: MassPoint, rotation: Rotation) -> list[Callabl
     turning = set().union(*(c.free_symbols for c in rotation.axes[0].fixed().components)) & set(pose.coordinates)
 
     def centre(pose: Pose, q: sp.Symbol) -> FloatVector | None:
-        mark = angle_mark(pose, q, p.position)
+        mark = circle_of(pose, q, p.position)
         return None if mark is None else mark.centre
 
     return [lambda pose, q=q: centre(pose, q) for q in sorted(turning, key=str)]  # type: ignore[misc]

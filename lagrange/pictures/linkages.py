@@ -51,7 +51,7 @@ class Links:
         centres = {p.name: system.pose.at(p.position) for p in system.configuration.points}
         arms = ((centres[name], place) for name, places in system.carried.items() for place in places)
         for first, second in (*self.rods, *chains, *arms):
-            symbol = _parameter(system, math.dist(first, second))
+            symbol = parameter_of(system, math.dist(first, second))
             if symbol is not None:
                 yield first, second, symbol
 
@@ -66,7 +66,7 @@ def links(system: SystemPicture) -> Links:
     return Links(held, tuple((q, p) for _, q, p in _rods(system)))
 
 
-def _parameter(system: SystemPicture, size: float) -> sp.Symbol | None:
+def parameter_of(system: SystemPicture, size: float) -> sp.Symbol | None:
     """The only parameter with this value."""
     values = {s.symbol: system.pose.values.get(s.symbol) for s in system.problem.parameters}
     equal = [s for s, v in values.items() if v is not None and abs(v - size) < SAME_PLACE]
@@ -152,7 +152,7 @@ def _rods(system: SystemPicture) -> list[tuple[str, FloatVector, FloatVector]]:
         at = system.pose.at(p.position)
         # A constant distance may be a coincidence, as r/2 in x = r cos φ, unless the file speaks of it.
         said = reaction.constraint.by is Keeper.ROD
-        if place is not None and (said or _parameter(system, math.dist(place, at)) is not None):
+        if place is not None and (said or parameter_of(system, math.dist(place, at)) is not None):
             found.append((body.name, place, at))
     return found
 

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -34,8 +34,9 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, plus, projected, value
+from lagrange.pictures.implied.senses import before_a_kerb, below, heights_of_hanging, views
 from lagrange.pictures.limits import LEAST_GAP, MOST_UNEQUAL, SAME_PLACE, TRIALS
-from lagrange.problem.model import AppliedForce, Problem
+from lagrange.problem.model import Problem
 
 # What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
 _SIZES = {
@@ -52,10 +53,6 @@ _SIZES = {
     "f": 0.8,
     "k": 0.4,
 }
-BOWL = re.compile(r"\bbowl|hemispher|\btrough|\bgroove|\bcup\b", re.IGNORECASE)
-_HANGS = re.compile(r"\bhang|\bsuspended|\bpendulum", re.IGNORECASE)
-_UPRIGHT = re.compile(r"\binvert|\bupright|\bstand|\babove", re.IGNORECASE)
-_KERB = re.compile(r"\b(kerb|curb)s?\b", re.IGNORECASE)
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
@@ -116,10 +113,20 @@ def notable(configuration: Configuration) -> list[Vector]:
     return list(dict.fromkeys(points))
 
 
-def general_pose(problem: Problem, configuration: Configuration, centres: Sequence[Vector] = ()) -> Pose | None:
-    """The best of several positions; None if none is good. `centres`: fixed ends of rods, which count as points."""
+def general_pose(
+    problem: Problem,
+    configuration: Configuration,
+    centres: Sequence[Vector] = (),
+    is_possible: Callable[[Problem, Pose], bool] | None = None,
+) -> Pose | None:
+    """The best of several positions; None if none is good.
+
+    centres      fixed ends of rods, which count as points
+    is_possible  what else has to hold in a good position
+    """
     points = [p.fixed() for p in dict.fromkeys((*notable(configuration), *centres))]
     slopes = _slopes(configuration)
+    hanging = frozenset(heights_of_hanging(problem, configuration))
     best: tuple[float, Pose] | None = None
     for trial in range(2 * TRIALS):
         if trial == TRIALS and best is not None and best[0] > 0:
@@ -128,8 +135,10 @@ def general_pose(problem: Problem, configuration: Configuration, centres: Sequen
             start = _guess(problem, configuration, points, trial)
             values = _onto_constraints(problem, configuration, slopes, start)
             pose = Pose(configuration, values)
-            score = _score(pose, points)
-            if score is not None and not _has_room(pose, problem):
+            score = _score(pose, points, hanging)
+            if score is not None and not (
+                _has_room(pose, problem) and (is_possible is None or is_possible(problem, pose))
+            ):
                 score -= 2  # a picture all the same, where no position is better
         except NoValueError:
             continue
@@ -196,11 +205,11 @@ def _guess(
         if s not in values:
             size = _size(s) * (radii if s.name[0] in "Rr" else 1.0)
             values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else size * wobble)
-    for s in _below(problem, configuration, points):
+    for s in (*below(problem, configuration, points), *heights_of_hanging(problem, configuration)):
         values[s] = -abs(values[s])
-    for s, value_ in _before_a_kerb(problem, points, values):
+    for s, value_ in before_a_kerb(problem, points, values):
         values[s] = value_
-    for s, factor in _views(configuration, points, angles, parameters):
+    for s, factor in views(configuration, points, angles, parameters):
         values[s] = factor(values)
     undefined = {sp.Symbol(f.name, real=True): chosen[f.name] for f in problem.functions if f.name in chosen}
     return {s: chosen.get(s.name, v) for s, v in values.items()} | undefined
@@ -233,58 +242,6 @@ def _given(problem: Problem, expressions: Sequence[sp.Expr], configuration: Conf
     drawn = {s: math.copysign(size * (v / greatest) ** power, values[s]) for s, v in lengths.items()}
     curvatures = [p.symbol for p in problem.parameters if p.symbol in values and p.unit == "1/m"]
     return values | drawn | {s: values[s] * greatest / size for s in curvatures}
-
-
-def _below(problem: Problem, configuration: Configuration, points: Sequence[Vector]) -> Iterator[sp.Symbol]:
-    """The coordinates upwards of what is in a bowl, or hangs, where its relation does not tell above O from below."""
-    down, text = problem.gravity, f"{problem.title} {problem.description}"
-    if down is None or not (BOWL.search(text) or (_HANGS.search(text) and not _UPRIGHT.search(text))):
-        return
-    for s in configuration.slots.coordinates:
-        even = [f for f in configuration.finite_constraints if sp.sympify(f, strict=True).has(s)]
-        upward = any((p.partial(s).dot(down.fixed())).could_extract_minus_sign() for p in points)
-        if upward and even and all(sp.expand(f - sp.sympify(f, strict=True).xreplace({s: -s})) == 0 for f in even):
-            yield s
-
-
-def _before_a_kerb(
-    problem: Problem, points: Sequence[Vector], values: Mapping[sp.Symbol, float]
-) -> Iterator[tuple[sp.Symbol, float]]:
-    """A kerb h lower than the centre of its wheel, which is on the side from which it is pulled."""
-    if not _KERB.search(f"{problem.title} {problem.description}"):
-        return
-    radii = [v for s, v in values.items() if s.name in ("r", "R")]
-    yield from ((s, 0.45 * min(radii)) for s in values if s.name == "h" and radii)
-    for q in (q.symbol for q in problem.coordinates):
-        ways = [p.partial(q) for p in points if not p.partial(q).is_zero]
-        pulls = [f.vector.fixed() for f in problem.forces if isinstance(f, AppliedForce)]
-        sizes = [value(w.dot(f), {**values, **dict.fromkeys(w.dot(f).free_symbols - {*values}, 1.0)})
-                 for w in ways for f in pulls if problem.gravity is None and f.components[1] == 0]  # fmt: skip
-        if q in values and sum(sizes) > 0:
-            yield q, -abs(values[q])
-
-
-def _views(
-    configuration: Configuration, points: Sequence[Vector], angles: set[sp.Symbol], parameters: set[sp.Symbol]
-) -> Iterator[tuple[sp.Symbol, Callable[[FloatValues], float]]]:
-    """Values with which a system in space is seen well.
-
-    What turns by Ω t is seen from the side, and a helix z = b φ has a pitch with which it winds.
-    """
-    if not any(p.components[2] != 0 for p in points) or all(p.components[1] == 0 for p in points):
-        return
-    turns = {f.args[0] / t for p in points for c in p.components for f in c.atoms(TrigonometricFunction)}
-    for rate in turns & parameters:
-        yield t, lambda values, rate=rate: 1.25 / values[rate]  # type: ignore[misc]
-    heights = {p.components[2] for p in points}
-    relations = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
-    relations = [f for f in relations if any(f.free_symbols & h.free_symbols for h in heights)]
-    for term in {term for e in (*heights, *relations) for term in sp.Add.make_args(sp.expand(e))}:
-        pitch = term.free_symbols & parameters
-        turning = term.free_symbols & angles
-        if len(pitch) == len(turning) == 1 and term.free_symbols == pitch | turning and not term.atoms(sp.Function):
-            [symbol] = pitch
-            yield symbol, lambda values, symbol=symbol: 0.25 * values[symbol]  # type: ignore[misc]
 
 
 def _in_range(symbol: sp.Symbol, value: float) -> float:
@@ -343,7 +300,7 @@ def _in_order(pose: Pose) -> bool:
     From a support beyond the point at which the coordinate of its body begins, they lead back to that point.
     """
     configuration = pose.configuration
-    on_line = [s for s in configuration.springs if s.distance.has(sp.Abs)]
+    on_line = [s for s in configuration.springs if s.distance.has(sp.Abs) and _is_on_line(pose, s)]
     for s in list(on_line):
         way = _from_beyond(pose, s)
         if way is not None:
@@ -364,6 +321,13 @@ def _in_order(pose: Pose) -> bool:
             if ahead * (depth[first] - depth[second]) < 0:
                 return False
     return True
+
+
+def _is_on_line(pose: Pose, spring: StretchedSpring) -> bool:
+    """Whether a spring stays on one line: not one that turns, whose length |r| is a coordinate."""
+    [length] = list(spring.distance.atoms(sp.Abs))[:1]
+    ways = (sp.cancel(c / length.args[0]) for c in spring.apart.fixed().components)
+    return not any(way.free_symbols & {*pose.coordinates, t} for way in ways)
 
 
 def _from_beyond(pose: Pose, spring: StretchedSpring) -> float | None:
@@ -436,13 +400,14 @@ def _has_room(pose: Pose, problem: Problem) -> bool:
     return True
 
 
-def _negative(pose: Pose) -> int:
-    """The number of negative coordinates: in a drawing they are positive if possible."""
-    values = [pose.values[q] for q in pose.coordinates]
-    return sum(v < 0 for v in (*values, *(pose.number(e) for e in pose.configuration.expressed.values())))
+def _negative(pose: Pose, hanging: frozenset[sp.Symbol] = frozenset()) -> int:
+    """The number of negative coordinates, or heights above O of what hangs: there are none if possible."""
+    values = [-pose.values[q] if q in hanging else pose.values[q] for q in pose.coordinates]
+    expressed = pose.configuration.expressed.items()
+    return sum(v < 0 for v in (*values, *(pose.number(e) * (-1 if q in hanging else 1) for q, e in expressed)))
 
 
-def _score(pose: Pose, points: Sequence[Vector]) -> float | None:
+def _score(pose: Pose, points: Sequence[Vector], hanging: frozenset[sp.Symbol] = frozenset()) -> float | None:
     """A measure of legibility; None if different points coincide.
 
     Added up: the least distance of two points and the least slant, as parts of the size of the system (crowded points
@@ -472,7 +437,7 @@ def _score(pose: Pose, points: Sequence[Vector]) -> float | None:
         return None
     used = sorted(s for s in spans if s > 1e-9)
     shape = used[0] / used[-1] if len(used) > 1 else 1.0
-    return nearest + slant + 0.3 * min(shape, 0.7) - _negative(pose)
+    return nearest + slant + 0.3 * min(shape, 0.7) - _negative(pose, hanging)
 
 
 _STEPS = (0.7, -1.1, 2.3)  # changes at which a motion is compared with a circle or a line: no simple ratios

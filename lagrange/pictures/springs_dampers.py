@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.pictures.floats import NoValueError
+from lagrange.pictures.implied.turning_guides import turning_guides
 from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, same_ends, toward
 from lagrange.pictures.systems import SystemPicture, ends_of
 
@@ -60,10 +62,9 @@ class SpringsDampers:
         """Springs and dampers, by half the widths of the blocks at whose sides they end; of two between the same points
         each is on its side.
         """
-        configuration = self.system.configuration
-        ends = [self.ends(link, half) for link in configuration.links]
+        ends = [self.ends(link, half) for link in self.system.links]
         rods = [piece for line in self.sketch.lines if line.kind is StrokeKind.ROD for piece in line.pieces]
-        for n, link in enumerate(configuration.links):
+        for n, link in enumerate(self.system.links):
             a, b = ends[n]
             self.busy.append((a, b))
             if sum(same_ends((a, b), other) for other in ends) > 1:
@@ -90,7 +91,10 @@ class SpringsDampers:
     def is_held(self, place: Vector, at: PagePoint, rods: Sequence[tuple[PagePoint, PagePoint]]) -> bool:
         """Whether a spring's end is fixed or driven, or slides on a fixed support: on nothing that moves."""
         moving = {*self.system.configuration.slots.coordinates}
-        if not place.fixed().as_sum().free_symbols & moving:
+        used = place.fixed().as_sum().free_symbols
+        if t in used and any(turning_guides(self.system)):
+            return False
+        if not used & moving:
             return True
         carried = any(
             p.mass != 0 and not (place.fixed() - p.position.fixed()).as_sum().free_symbols & moving

@@ -28,7 +28,13 @@ from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
 from lagrange.pictures.implied.body_shapes import has_axle, with_implied_shapes
 from lagrange.pictures.implied.curves import ConstraintCurves
 from lagrange.pictures.implied.guides import couplers, cylinders_touched, hoops, struts
+from lagrange.pictures.implied.halves import halves
+from lagrange.pictures.implied.lettered import lettered, rods_between_letters
+from lagrange.pictures.implied.rods_at_rest import around as around_rods
+from lagrange.pictures.implied.rods_at_rest import draw_rods
+from lagrange.pictures.implied.turning_guides import draw_guides, radius_of_disc, turning_guides
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
+from lagrange.pictures.joints import holds
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
 from lagrange.pictures.linkages import links
 from lagrange.pictures.loads import ARROW, Arrows, as_words
@@ -43,6 +49,7 @@ from lagrange.pictures.sketch import (
     in_line,
     left_of,
     lies_on,
+    overlapping,
     same_ends,
     scaled,
     touches,
@@ -66,8 +73,10 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
             implied = with_implied_shapes(system)
             in_space = constraints_in_space(implied)
             compass = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
-            circles = [*hoops(implied), *cylinders_touched(implied)]
-            around = (*in_space.places, *(plus(c, (r * x, r * y, 0.0)) for c, r in circles for x, y in compass))
+            circles = [*hoops(implied), *cylinders_touched(implied), *halves(implied)]
+            circles += [((0.0, 0.0, 0.0), radius_of_disc(implied, [*turning_guides(implied)]))]
+            rods = around_rods(implied.problem, implied.pose, implied.rods_at_rest)
+            around = (*in_space.places, *rods, *(plus(c, (r * x, r * y, 0.0)) for c, r in circles for x, y in compass))
             drawing = _Drawing(replace(implied, around=around) if inferred else implied, in_space)
             drawing.all(with_loads, inferred)
         except NoValueError:
@@ -210,7 +219,9 @@ class _Drawing:
                 self.busy.append((start, end))
 
     def guides(self) -> None:
-        """Hoops, fixed cylinders, couplers and struts that the coordinates and the words show."""
+        """Hoops, fixed cylinders, couplers, struts and rods at rest that the coordinates and the words show."""
+        rods_at_rest, problem = self.system.rods_at_rest, self.system.problem
+        self.mounts += draw_rods(problem, self.pose, rods_at_rest, self.page, self.sketch, self.busy)
         for centre, radius in cylinders_touched(self.system):
             self.sketch.circle(self.flat(centre), radius * self.page.scale, 2)
         for centre, radius in hoops(self.system):
@@ -223,6 +234,26 @@ class _Drawing:
                 self.busy.append(ends)
         for first, _, _ in rods:
             self.sketch.hinge(self.flat(first))
+        self.between_letters()
+        self.mounts += draw_guides(self.system, self.sketch, self.busy)
+
+    def between_letters(self) -> None:
+        """Rods whose ends have letters in the text; a fixed end is held."""
+        points = lettered(self.system.problem, self.system.configuration)
+        turning = [p for p in self.system.configuration.points if plane_rotation(self.system.configuration, p.name)]
+        for a, b, rope in rods_between_letters(self.system.problem, self.pose) if self.system.is_bare else ():
+            ends = self.flat(self.pose.at(points[a])), self.flat(self.pose.at(points[b]))
+            of_body = any(
+                all(holds(self.pose, p, lambda x, v=points[n]: x.at(v)) for n in (a, b))  # type: ignore[misc]
+                for p in turning
+            )
+            if of_body or any(overlapping(ends, other) for other in self.busy):
+                continue
+            self.sketch.line([*ends], StrokeKind.STRING if rope else StrokeKind.ROD)
+            self.busy.append(ends)
+            for name, end in zip((a, b), ends, strict=True):
+                self.sketch.hinge(end)
+                self.mounts += [end] if self.is_fixed(points[name]) else []
 
     def stands(self, rod: Rod) -> bool:
         """Whether the centre of a rod is fixed."""
@@ -348,6 +379,8 @@ class _Drawing:
             if len(ends) == 2 and not lies_on(at, *map(self.flat, ends)):
                 self.bowl(joint, ends)
                 continue
+            if self.system.is_touched(p.name, joint):
+                continue
             self.sketch.hinge(at)
             fixed = any(math.dist(joint, pivot) < SAME_ON_PAGE for pivot in self.system.pivots)
             if fixed and all(apart(at, m) > SAME_ON_PAGE for m in self.mounts):
@@ -388,6 +421,8 @@ class _Drawing:
             self.mounts.append(at)
         elif field is not None or all(q.mass == 0 for q in self.system.configuration.points):  # not seen from above
             fulcrum(self.sketch, at, toward((0.0, 0.0), down))
+        else:
+            self.mounts.append(at)
 
     def plane_body(self, p: MassPoint, rotation: Rotation) -> None:
         centre = self.flat(self.places[p.name])

@@ -20,7 +20,6 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector
-from lagrange.document.scene import PagePoint
 from lagrange.mechanics.constraints.coordinates import of_mass_centre
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
@@ -29,12 +28,16 @@ from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equation
 from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, value
+from lagrange.pictures.implied.lettered import with_lettered_points
+from lagrange.pictures.implied.rods_at_rest import RodAtRest, is_possible, with_letters
+from lagrange.pictures.implied.senses import BOWL
 from lagrange.pictures.implied.side_by_side import beside
+from lagrange.pictures.implied.springs_of_potentials import springs_of_potentials
 from lagrange.pictures.joints import SwingingJoint, circle_centres, holds, same_everywhere, swinging_joints
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, SAME_PLACE, WIDTH
-from lagrange.pictures.poses import BOWL, Pose, angle_mark, circle_of, general_pose, notable
-from lagrange.pictures.shapes import Shape, plane_rotation, shape
-from lagrange.pictures.views import View, seen_from, view
+from lagrange.pictures.poses import Pose, angle_mark, circle_of, general_pose, notable
+from lagrange.pictures.shapes import Shape, coordinates_in_body, plane_rotation, shape
+from lagrange.pictures.views import PaperMap, View, seen_from, view
 from lagrange.problem.model import AppliedForce, Drawn, Figure, FigureMark, Keeper, Outline, Problem
 
 ROD = re.compile(
@@ -55,6 +58,8 @@ class SystemPicture:
     newton    the free bodies and reactions
     contacts  those with friction at rest
     around    further places that have to fit on the page
+    rods_at_rest  rods that the file gives by their centre and ends alone
+    springs   those that the file gives by their energy alone
     """
 
     problem: Problem
@@ -64,6 +69,8 @@ class SystemPicture:
     view: View
     contacts: tuple[RoughContact, ...] = ()
     around: tuple[FloatVector, ...] = ()
+    rods_at_rest: tuple[RodAtRest, ...] = ()
+    springs: tuple[StretchedSpring, ...] = ()
 
     def at(self, vector: Vector, more: FloatValues | None = None) -> FloatVector:
         """A vector of the file in the position drawn, whatever its coordinates are. Raises NoValueError."""
@@ -100,6 +107,11 @@ class SystemPicture:
         own = {*self.pose.coordinates}
         every = {q.symbol for q in self.problem.coordinates} | {q for c in self.problem.choices for q in c.coordinates}
         return tuple(m for m in self.problem.figure.marks if not (m.label.free_symbols & every) - own)
+
+    @property
+    def links(self) -> tuple[StretchedSpring | DamperForce, ...]:
+        """The springs and dampers that are drawn."""
+        return (*self.configuration.links, *self.springs)
 
     @property
     def down(self) -> Vector | None:
@@ -151,6 +163,16 @@ class SystemPicture:
         known = (r for r in self.newton.reactions if r.directions is not None)
         return tuple(r for r in known if body in r.acts_on)
 
+    def is_touched(self, body: str, place: FloatVector) -> bool:
+        """Whether a plane body is kept at a place by ground or by the bearing of a beam, and not by a hinge."""
+        rotation, is_beam = plane_rotation(self.configuration, body), bool(BEAM.search(self.text))
+        touching = {r.name for r in self.newton.reactions if is_beam or r.constraint.side is not None}
+        if rotation is None or not touching:
+            return False
+        position = next(p.position for p in self.configuration.points if p.name == body)
+        here = coordinates_in_body(self.pose, rotation, position, place)
+        return any(n in touching and math.dist(at, here) < SAME_PLACE for n, at in self.shapes[body].at.items())
+
     @cached_property
     def shapes(self) -> dict[str, Shape]:
         """The shapes of plane bodies, by name."""
@@ -200,11 +222,13 @@ class SystemPicture:
         """The particles and massless points that move with a plane body, by body."""
         points = self.configuration.points
         turning = {p.name for p in points if plane_rotation(self.configuration, p.name) is not None}
+        places = [o.position for o in points if o.name not in turning]
+        places += [v for n, v in self.problem.figure.points.items() if n in self.problem.abbreviations]
         return {
             p.name: [
-                self.pose.at(o.position)
-                for o in points
-                if o.name not in turning and holds(self.pose, p, lambda pose, o=o: pose.at(o.position))  # type: ignore[misc]
+                self.pose.at(v)
+                for v in places
+                if holds(self.pose, p, lambda pose, v=v: pose.at(v))  # type: ignore[misc]
             ]
             for p in points
             if p.name in turning
@@ -213,7 +237,7 @@ class SystemPicture:
     @cached_property
     def fastened(self) -> dict[str, list[FloatVector]]:
         """The ends of springs and dampers that move with a plane body, by body."""
-        ends = {e for link in self.configuration.links for e in link.ends if isinstance(e, Vector)}
+        ends = {e for link in self.links for e in link.ends if isinstance(e, Vector)}
         return {
             p.name: [self.pose.at(e) for e in ends if holds(self.pose, p, lambda pose, e=e: pose.at(e))]  # type: ignore[misc]
             for p in self.configuration.points
@@ -361,6 +385,7 @@ class SystemPicture:
             places = line.places[:1] if line.kind in (Drawn.BLADES, Drawn.WHEELS) else line.places
             yield from (self.at(p) for p in places if not isinstance(p, str))
         yield from self.figure_places.values()
+        yield from (self.pose.at(e) for spring in self.springs for e in spring.ends if isinstance(e, Vector))
         for mark in self.marks:
             yield from (self.at(v) for v in (mark.vectors[:1] if mark.kind is Drawn.ANGLES else mark.vectors))
         for curve in figure.curves:
@@ -384,23 +409,6 @@ class SystemPicture:
                 yield self.pose.at(p.position), half * size
 
 
-@record
-class PaperMap:
-    """The map from space to centimetres; the origin is at (0, 0)."""
-
-    view: View
-    scale: float
-
-    def __call__(self, place: FloatVector) -> PagePoint:
-        """The image of a point of space."""
-        x, y = self.view.flat(place)
-        return x * self.scale, y * self.scale
-
-    def way(self, vector: FloatVector) -> PagePoint:
-        """The image of a vector, in the units of the problem."""
-        return self.view.flat(vector)
-
-
 def system_in_file(solution: Solution) -> SystemPicture | None:
     """The system in the coordinates of the file."""
     return _system(solution, solution.own.configuration, *_pose_in_file(solution))
@@ -413,7 +421,7 @@ def system_posed_in_choice(solution: Solution, chosen: Configuration) -> tuple[S
         return None
     newton = _newton(solution)
     centres = [r.rod.centre for r in newton.reactions if r.rod is not None and r.rod.centre is not None]
-    pose = general_pose(solution.problem, chosen, centres if not _moving(centres, original) else ())
+    pose = general_pose(solution.problem, chosen, centres if not _moving(centres, original) else (), is_possible)
     placed = None if pose is None else _in_file(pose, original)
     system = None if placed is None else _system(solution, original, placed, newton)
     return None if system is None or pose is None else (system, pose)
@@ -421,7 +429,7 @@ def system_posed_in_choice(solution: Solution, chosen: Configuration) -> tuple[S
 
 def system_in_choice(solution: Solution, configuration: Configuration) -> SystemPicture | None:
     """The system in a choice of generalized coordinates."""
-    pose = general_pose(solution.problem, configuration)
+    pose = general_pose(solution.problem, configuration, (), is_possible)
     return None if pose is None else _system(solution, configuration, pose, _newton(solution))
 
 
@@ -434,9 +442,16 @@ def _system(
     if not (configuration.points or figure.points or figure.lines or figure.curves):
         return None
     strings = tuple(r for r in newton.reactions if is_string(r))
-    configuration, own = (beside(c, strings) for c in (configuration, solution.own.configuration))
+    falls = (
+        solution.problem.gravity if ROPE.search(f"{solution.problem.title} {solution.problem.description}") else None
+    )
+    sprung = springs_of_potentials(solution.problem, beside(configuration, strings, falls))
+    pose = replace(pose, values={**pose.values, **sprung.shown}) if not figure.at else pose
+    own = beside(solution.own.configuration, strings, falls)
+    problem, rods = with_letters(solution.problem, pose)
+    problem = problem if rods else with_lettered_points(problem, pose)
     used = set()
-    for v in (*notable(own), *_vectors(figure)):
+    for v in (*notable(own), *_vectors(problem.figure)):
         used |= {n for n, c in enumerate(v.fixed().components) if c != 0}
     for r in solution.own.configuration.rotations:
         for axis in r.axes[:2]:
@@ -450,7 +465,8 @@ def _system(
         with suppress(NoValueError):
             upright = pose.at(down) if down is not None else (0.0, 0.0, -1.0)
             seen = seen_from(pose.at(figure.seen_from), upright)
-    return SystemPicture(solution.problem, configuration, newton, pose, seen, _rough_contacts(solution))
+    contacts = _rough_contacts(solution)
+    return SystemPicture(problem, sprung.configuration, newton, pose, seen, contacts, (), rods, sprung.springs)
 
 
 def weight(problem: Problem) -> Vector | None:
@@ -519,11 +535,13 @@ def _pose_in_file(solution: Solution) -> tuple[Pose | None, Newton | None]:
     for choice in () if named else by_name:
         chosen = choice.coordinates.configuration
         if chosen.expressed and not chosen.finite_constraints and not is_undefined(chosen, figure):
-            pose = general_pose(solution.problem, chosen, centres if not _moving(centres, original) else ())
+            pose = general_pose(
+                solution.problem, chosen, centres if not _moving(centres, original) else (), is_possible
+            )
             in_file = None if pose is None else _in_file(pose, original)
             if in_file is not None:
                 return in_file, newton
-    return general_pose(solution.problem, original, centres), newton
+    return general_pose(solution.problem, original, centres, is_possible), newton
 
 
 def _moving(centres: Sequence[Vector], configuration: Configuration) -> bool:

@@ -104,6 +104,23 @@ class View:
         return replace(self, units=_DOWN_ALONG[along, 1 if gravity[along] > 0 else -1])
 
 
+@record
+class PaperMap:
+    """The map from space to centimetres; the origin is at (0, 0)."""
+
+    view: View
+    scale: float
+
+    def __call__(self, place: FloatVector) -> PagePoint:
+        """The image of a point of space."""
+        x, y = self.view.flat(place)
+        return x * self.scale, y * self.scale
+
+    def way(self, vector: FloatVector) -> PagePoint:
+        """The image of a vector, in the units of the problem."""
+        return self.view.flat(vector)
+
+
 def seen_from(direction: FloatVector, down: FloatVector) -> View:
     """The view of space along a direction that points at the reader; `down` points down, or if it cannot, nearly.
 

@@ -581,6 +581,12 @@ class Problem(Shown):
         return (*self.particles, *self.bodies)
 
     @property
+    def radius(self) -> sp.Symbol | None:
+        """The coordinate that is the distance r of a frame e_r, e_φ: it is not negative; None without such a frame."""
+        first = self.frame.names[0] if self.frame is not None and self.frame.turning else ""
+        return next((c.symbol for c in self.coordinates if first == f"e_{c.symbol}"), None)
+
+    @property
     def geometric(self) -> tuple[Constraint, ...]:
         """The constraints in which no velocity occurs."""
         return tuple(c for c in self.constraints if not c.kinematic)

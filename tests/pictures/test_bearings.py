@@ -235,3 +235,17 @@ def test_a_thread_comes_off_the_hub_of_a_spool() -> None:
     assert abs((u - x) * (x - centre[0]) + (v - y) * (y - centre[1])) < 1e-6  # a tangent
     assert math.dist(centre, rim[0]) == pytest.approx(2 * math.dist(centre, hub[0]))
     assert math.dist(centre, (u, v)) > math.dist(centre, rim[0])
+
+
+def test_a_ladder_that_cannot_move_stands_on_ground_and_not_on_a_hinge() -> None:
+    text = (
+        "parameters: {l: positive, W: positive, alpha: acute}\ncoordinates: [x, y, theta]\n"
+        "bodies: {ladder: {position: (x - l/2*cos(theta))*i + (y + l/2*sin(theta))*j, angle: -theta}}\n"
+        "constraints:\n  ground: {equation: y >= 0, reaction: N}\n"
+        '  wall: {equation: "x - l*cos(theta) >= 0", reaction: H}\n  lean: theta = alpha\n'
+        "forces: {weight: {on: ladder, vector: -W*j}}\nfind: equilibrium\n"
+    )
+    scene = sketched("A ladder at a wall", text)
+    grounds = lines_of(scene, StrokeKind.GROUND)
+    assert len(grounds) == 2
+    assert not any(dot.open for dot in scene.dots)

@@ -60,3 +60,13 @@ def test_two_bars_stand_one_on_the_other_in_the_order_of_their_coordinates() -> 
     alpha = next(v for s, v in system(COLUMN).pose.values.items() if s.name == "alpha")
     (x, y), (u, v) = rods[0]
     assert abs(math.atan2(u - x, v - y) - alpha) < 1e-6
+
+
+def test_a_rod_that_strikes_upright_hangs_from_its_hinge() -> None:
+    text = (
+        "gravity: -g*j\nparameters: [m, L, g]\ncoordinates: [theta]\nfigure: {at: {theta: 0}}\n"
+        "bodies: {rod: {mass: m, inertia: m*L^2/12, position: L/2*sin(theta)*i - L/2*cos(theta)*j, angle: theta}}\n"
+    )
+    found = system(text)
+    [joint] = found.joints["rod"]
+    assert math.hypot(*joint) < 1e-9

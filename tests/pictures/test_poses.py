@@ -133,3 +133,11 @@ def test_what_strikes_is_drawn_where_it_touches() -> None:
     slots = pose.configuration.slots.coordinates
     theta, l = slots[2], next(s for s in pose.values if str(s) == "l")
     assert abs(pose.at(rod.position)[1] - pose.number(l / 2 * sp.sin(theta))) < 1e-8
+
+
+def test_a_spring_that_turns_has_no_sense_on_a_line() -> None:
+    text = (
+        "parameters: [m, k, l, g]\ncoordinates: [r, theta]\ngravity: -g*j\nparticles: {P: {mass: m, position: "
+        "r*sin(theta)*i - r*cos(theta)*j}}\nforces: {s: {spring: k, between: [O, P], length: l}}\n"
+    )
+    assert pose_of(text).configuration.springs

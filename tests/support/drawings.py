@@ -52,10 +52,16 @@ def figures(name: str) -> list[Scene]:
     return figures_of(solution_for_figures(name))
 
 
-def sketched(title: str, text: str) -> Scene:
-    """The system of a problem in words, without its loads."""
+def drawing_of(title: str, text: str) -> SystemPicture:
+    """The system of a problem in words, in its position on the page."""
     system = system_in_file(kinematics_and_law(lagrange.loads(f"title: {title}\n{text}")))
     assert system is not None
+    return system
+
+
+def sketched(title: str, text: str) -> Scene:
+    """The system of a problem in words, without its loads."""
+    system = drawing_of(title, text)
     scene = configuration_scene(system, Notation(), with_loads=False)
     assert scene is not None
     return scene

@@ -568,7 +568,8 @@ def _near_a_limit(
         rate = condition.slack.diff(s)
         if s in rate.free_symbols or rate == 0:
             continue
-        limit = point[s] - approximate(condition.slack, point) / approximate(rate, point)
+        slope = approximate(rate, point)
+        limit = point[s] - approximate(condition.slack, point) / slope if slope else math.nan
         moved = limit * draw.uniform(0.5, 1.5)
         if math.isfinite(limit) and (limit > 0 or not s.is_positive) and (s not in angles or 0 < moved < math.pi / 2):
             return {**point, s: moved}

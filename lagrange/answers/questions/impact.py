@@ -215,8 +215,8 @@ def check_impact_in_text(
 
 
 _JUST_AFTER = re.compile(
-    r"(?P<rate>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?\w{1,12})|[^\W\d]\w{0,12}['′])\s*[_^]\s*(?:\{\s*\+\s*\}|\+(?=\s*=))"
-    r"|(?P<dotted>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?[A-Za-z]{1,12})(?:_\w)?|[^\W\d_]\u0307|[ẋẏżẊẎŻṙṡ])\s*['′]"
+    r"(?P<rate>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?\w{1,12})|[^\W\d]\w{0,12}['′])\s*(?:[_^]\s*(?:\{\s*\+\s*\}|\+(?=\s*=))|⁺)"
+    r"|(?P<dotted>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?[A-Za-z]{1,12})(?:_\w)?|[^\W\d_]\u0307|[ẋẏżẊẎŻṙṡ])\s*['′⁺]"
 )
 """A velocity just after, with a sign: `\\dot\\theta^+ = ...`, `\\dot x' = ...`."""
 _LETTER_AFTER = re.compile(

@@ -28,7 +28,7 @@ from lagrange.answers.questions.texts.frequency_labels import (
     name_of_frequency,
     stated_frequencies,
 )
-from lagrange.answers.questions.values_in_text import asked_in_text
+from lagrange.answers.questions.values_in_text import asked_in_text, questions_of_condition
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
@@ -514,7 +514,15 @@ def _asked_in_formulas(answer: Sequence[Fragment], solution: Solution, judge: Ju
 
 
 def _has_wrong_value(answer: Sequence[Fragment], judged: Judgement, solution: Solution) -> bool:
-    """Whether a line that accompanies correct frequencies is a wrong answer to a question, and not a definition."""
+    """Whether a line that accompanies correct frequencies, or answers a question after `it leaves when`, is wrong."""
+    for f in answer:
+        found = (
+            asked_in_text(answer, solution, among=[f]).verdict
+            if (names := questions_of_condition(f, solution))
+            else None
+        )
+        if found is not None and any(e.verdict is Verdict.WRONG and e.part in names for e in found.equations):
+            return True
     if not any(a.name == "frequencies" for a in judged.others):
         return False
     lines = asked_in_text(answer, solution)

@@ -164,8 +164,11 @@ _LABEL = re.compile(
 )
 
 
+_NAME = (
+    r"\A(?P<name>[\s$&]*(?:\\?[^\W\d_]\w{0,12}['\u0307\u0308]{0,2}|\\d{1,2}ot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?\w{1,12})))"
+)
 _AT_A_PLACE = re.compile(
-    r"\A(?P<name>[\s$&]*\\?[^\W\d_]\w{0,12})\s*(?:\\left\s*)?"
+    rf"{_NAME}\s*(?:\\left\s*)?"
     r"(?:\(\s*\\?\w{1,12}\s*=\s*[^()=]{1,16}\)|\|?\s*_\s*\{\s*\\?\w{1,12}\s*=\s*[^{}=]{1,16}\})(?=\s*&?=(?!=))"
 )
 
@@ -189,7 +192,8 @@ def without_place(fragment: Fragment, parameters: Collection[str] = ()) -> Fragm
 
 
 _AT_A_VALUE = re.compile(
-    r"\A(?P<name>[\s$&]*\\?[^\W\d_]\w{0,12})\s*(?:\\left\s*)?\(\s*(?P<value>0|\\?(?:pi|π)(?:\s*/\s*[1-9])?|-?[1-9])\s*(?:\\right\s*)?\)"
+    rf"{_NAME}\s*(?:\\left\s*)?"
+    r"\(\s*(?P<value>0|\\?(?:pi|π)(?:\s*/\s*[1-9])?|-?[1-9])\s*(?:\\right\s*)?\)"
     r"(?=\s*&?=(?!=))"
 )
 

@@ -17,7 +17,7 @@ although the problem calls it w. Without damping, equations between amplitudes a
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -164,18 +164,19 @@ def with_names_of_response(reference: Reference, responses: Sequence[Response], 
     for r in responses:
         if isinstance(r.drive.frequency, sp.Symbol):
             names |= {n: r.drive.frequency for n in ("omega", "Omega") if n not in reference.declared}
-    scalars = {**reference.scope.scalars, **names}
+    amplitudes = {s.name for r in responses for s in r.letters}  # the answer's own, where it has them
+    scalars = {n: e for n, e in reference.scope.scalars.items() if n not in amplitudes} | names
     return replace(reference, scope=replace(reference.scope, scalars=scalars))
 
 
 def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
     """The verdict on amplitudes and motions; None if a text has none, or equations of motion as well."""
     responses = [v.response for v in solution.views if v.response is not None]
-    answer = _without_trials(answer, {q.name for r in responses for q in r.by_coordinate})
+    answer, trials = _without_trials(answer, {q.name: q for r in responses for q in r.by_coordinate})
     for lags in (False, True):
         reference = with_names_of_response(reference_of_solution(solution), responses, lags=lags)
         working = understood([without_hats(f) for f in answer], reference)
-        verdict = check_response_in_text(working, responses, reference)
+        verdict = check_response_in_text(working, responses, reference, trials)
         if verdict is not None and not verdict.unreadable:
             break
     if verdict is None:
@@ -194,9 +195,14 @@ _TRIAL = re.compile(
 """A trial solution, `x = X cos(w t)`, whose amplitude other lines determine."""
 
 
-def _without_trials(answer: Sequence[Fragment], coordinates: Collection[str]) -> list[Fragment]:
-    """The lines without trial solutions for a coordinate, in letters that occur in other lines and are not given."""
-    kept = []
+def _without_trials(
+    answer: Sequence[Fragment], coordinates: Mapping[str, sp.Symbol]
+) -> tuple[list[Fragment], dict[str, sp.Symbol]]:
+    """The lines without trial solutions for a coordinate, in letters that occur in other lines and are not given.
+
+    Also those letters, each with the coordinate whose amplitude it is.
+    """
+    kept, letters = [], dict[str, sp.Symbol]()
     for f in answer:
         match = _TRIAL.match(f.text)
         others = [g.text for g in answer if g is not f]
@@ -206,15 +212,19 @@ def _without_trials(answer: Sequence[Fragment], coordinates: Collection[str]) ->
             used = any(re.search(rf"(?<![A-Za-z_\\]){letter}(?![A-Za-z0-9_])", text) for text in others)
             given = any(re.match(rf"[\s$&]*{letter}\s*&?=", text) for text in others)
             if used and not given and not all(map(_TRIAL.match, others)):
+                letters[re.sub(r"[{}]", "", match["amplitude"])] = coordinates[match["coordinate"].lstrip("\\")]
                 continue
         kept.append(f)
-    return kept
+    return kept, letters
 
 
 def check_response_in_text(
-    working: Working, responses: Sequence[Response], reference: Reference
+    working: Working, responses: Sequence[Response], reference: Reference, trials: Mapping[str, sp.Symbol]
 ) -> AnswerVerdict | None:
-    """The verdict on amplitudes and motions; None if the text has none, but equations of motion or nothing of it."""
+    """The verdict on amplitudes and motions; None if the text has none, but equations of motion or nothing of it.
+
+    trials  the letters that the answer chose for the amplitudes of coordinates
+    """
     parts: list[EquationVerdict] = []
     answered: set[str] = set()
     coordinates = list(dict.fromkeys(q for r in responses for q in r.by_coordinate))
@@ -238,7 +248,7 @@ def check_response_in_text(
             answered |= {ratio[0].name}
             claims[line.reading.text] = ratio[0].name, ratio[1]
             solved.append(line)
-    unknown = _undamped(working, coordinates, responses)
+    unknown = _undamped(working, coordinates, responses, trials)
     rows: list[sp.Expr] = []
     approximate: list[Fragment] = []
     for n, f in enumerate(working.judged):
@@ -353,11 +363,14 @@ def _solved(
 
 
 def _undamped(
-    working: Working, coordinates: Sequence[sp.Symbol], responses: Sequence[Response]
+    working: Working,
+    coordinates: Sequence[sp.Symbol],
+    responses: Sequence[Response],
+    trials: Mapping[str, sp.Symbol],
 ) -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
     """Names that the answer uses for amplitudes with their signs, each with its coordinate and its value."""
     signed = {q: c for r in responses if not any(r.sines) for q, c in zip(r.by_coordinate, r.cosines, strict=True)}
-    named = _amplitudes({s.name: sp.S.Zero for s in working.unknowns}, coordinates)
+    named = {**_amplitudes({s.name: sp.S.Zero for s in working.unknowns}, coordinates), **trials}
     return {s: (q, signed[q]) for s in working.unknowns if (q := named.get(s.name)) in signed and q is not None}
 
 

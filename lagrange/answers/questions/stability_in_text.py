@@ -90,10 +90,12 @@ def with_stability(
     verdict: AnswerVerdict, judged: Sequence[Fragment], solution: Solution, reference: Reference
 ) -> AnswerVerdict:
     """The verdict on positions of equilibrium, with that on their stated stability."""
-    if len(verdict.equations) != len(judged) or not any(WORD.search(getattr(f, "beside", "")) for f in judged):
-        return verdict
     equations, whole = list(verdict.equations), verdict.verdict
-    for n, (is_wrong, why) in on_stability(judged, solution, reference).items():
+    places = [n for n, e in enumerate(equations) if e.verdict is not Verdict.UNREADABLE]
+    if len(places) != len(judged) or not any(WORD.search(getattr(f, "beside", "")) for f in judged):
+        return verdict
+    for place, (is_wrong, why) in on_stability(judged, solution, reference).items():
+        n = places[place]
         if equations[n].verdict is not Verdict.EQUIVALENT:
             continue
         equations[n] = EquationVerdict.of(equations[n].text, Verdict.WRONG if is_wrong else Verdict.INCOMPLETE, why)

@@ -297,7 +297,7 @@ def asked_in_text(
         named = [] if has_frequencies and _FREQUENCY.match(fragment.text) else named
         about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
-        named = _of_function(named, fragment, questions, reference)
+        named = _labels_before(fragment, questions) or _of_function(named, fragment, questions, reference)
         judged = [(name, v) for name, v in compared if v.verdict not in _NOT_JUDGED and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
@@ -399,6 +399,13 @@ def _at_its_place(fragment: Fragment, questions: list[Asked]) -> tuple[Fragment,
     return (stated[0], there) if there else (fragment, questions)
 
 
+def _labels_before(fragment: Fragment, questions: Sequence[Asked]) -> list[str]:
+    """The question whose name is the label of a line with a letter of its own: `speed: u = 5 v/7`."""
+    before = getattr(fragment, "beside", "").rstrip().lower()
+    names = [a.question.name for a in questions if before.endswith(f"{a.question.name.replace('_', ' ').lower()}:")]
+    return sorted(names, key=len)[-1:]
+
+
 def _of_function(
     named: Sequence[str], fragment: Fragment, questions: Sequence[Asked], reference: Reference
 ) -> list[str]:
@@ -451,6 +458,34 @@ def _holds_at_a_limit(
     return False
 
 
+_CLAUSE = re.compile(
+    r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for)\s*\$?\s*\Z", re.I
+)
+_STEM = 4
+"""How many letters of a verb two of its forms have in common: `leaves`, `leave`."""
+
+
+def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
+    """The questions that an equation may answer although it stands as a condition: `it leaves when θ = a`.
+
+    The clause before it names the question, or the question is for a parameter; `the speed is greatest when θ = π/2`
+    is about something else.
+    """
+    span = fragment.span(0, len(fragment.text))
+    line = span.source.text[: span.start].rsplit("\n", 1)[-1]
+    clause = _CLAUSE.search(line)
+    if clause is None:
+        return set()
+    parameters = {p.symbol for p in solution.problem.parameters}
+    words = {w.lower()[:_STEM] for w in re.findall(r"[^\W\d_]+", clause["clause"]) if len(w) >= _STEM}
+    return {
+        a.question.name
+        for a in solution.asked
+        if a.question.quantity in parameters
+        or any(w.lower()[:_STEM] in words for w in a.question.name.split("_") if len(w) >= _STEM)
+    }
+
+
 def _is_condition(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> bool:
     """Whether a line is the condition of a question, N = 0, and no answer."""
     reading = read_as_written(fragment, reference.scope)
@@ -483,6 +518,9 @@ def _verdicts(
                 continue
             if any((base(s) in coordinates or base(s) != s) and s not in asked_for for s in used):
                 continue
+            values = [c.expression for c in claims if c.expression is not None]
+            if any(base(s) != s for e in values for s in e.free_symbols) or any(c.equation == 0 for c in claims):
+                continue  # v = R theta' says what v is, where R theta' is asked for
             best = min((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
         except (ProblemError, DivisionByZeroError, NoPointError, UnsupportedError):
             continue

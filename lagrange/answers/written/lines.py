@@ -69,7 +69,7 @@ _NAMED = re.compile(
 _WORD_ARRAY = re.compile(r"\s*(?:[{〖├]\s*)?■\s*(?=\()")
 _ABOUT_PARTS = re.compile(r"\s*[^\W\d_](?:[^=:*/^\\'()\[\]0-9<>≤≥;]|\([^()=*/^']{1,40}\)){3,60}:(?=\s)")
 _SPECIAL_CASE = re.compile(
-    r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z",
+    r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+,?){3,}[.!]?\s*\Z",
     re.IGNORECASE,
 )
 _LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
@@ -96,7 +96,7 @@ _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
 _NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _TAIL = re.compile(
-    r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
+    r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|leads?|gives?|giving|yields?|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
     r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+(?:etc|usw)\b\.?|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
@@ -116,13 +116,9 @@ _EQ = re.compile(
     r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve|(?:Full)?Simplify|simplify|[Ee]xpand)\s*(?=\[|\()"
 )
 _MAPLE = re.compile(r"(?<=[A-Za-z0-9_])\s*\$\s*([1-4])(\s*[,)])")
-
-
 _RULES = re.compile(r"\s*(?:Out\[[0-9]{0,4}\]\s*=)?\s*\{\s*\{?\s*\w+'*(?:\[t\])?\s*->")
 _RULE = re.compile(r"->")
 _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
-
-
 _PLACE_BEFORE = re.compile(
     r"\s*(?:about|around|near|at)\s+[^:=]{1,30}(?:=[^:=]{1,20}){1,3}:\s+(?=[^=]*=)", re.IGNORECASE
 )
@@ -229,6 +225,8 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
     if "=" not in text[start:end] and not re.search(r"\\equiv|\\coloneqq", text):
         return
     words = f"{beside} {text[:start]} {_words_of(text)}".strip()
+    plain = text.replace("$", " ")
+    remarks = [*STABILITY.finditer(plain, start, end)] if "$" in text else []
     pieces = cuts(text[start:end], _LATEX_WORDS) if "$" not in text else [(0, end - start)]
     for first, last in pieces:
         whole = (start + first, start + last) == (0, len(text))
@@ -236,14 +234,17 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
             first += _after_words(text[start + first : start + last], 0, last - first)
         part = fragment if whole else _part(fragment, start + first, start + last)
         for e in equations(part):
-            said = f"{words} {_words_before(e, part)}".strip() if "$" in part.text else words
+            said = words
+            if "$" in part.text:
+                at = e.span(0, 1).start - part.span(0, 1).start
+                on = _remarks_on(plain, start + first + at, start + first + at + len(e.text), remarks)
+                said = f"{words} {_words_before(part.text, at)} {on and f'; {on}'}".strip()
             yield replace(e, beside=said) if isinstance(e, OneEquation) else e
 
 
-def _words_before(equation: Fragment, fragment: Fragment) -> str:
-    """The words of the sentence before an equation between `$`, without mathematics and the words in \\text."""
-    at = equation.span(0, 1).start - fragment.span(0, 1).start
-    before = _TEXT.sub(" ", _INLINE.sub(" ", fragment.text[: max(0, at)])).rstrip(" $:\n")
+def _words_before(text: str, at: int) -> str:
+    """The words of the sentence before an equation between `$`, without mathematics, remarks, the words in \\text."""
+    before = STABILITY.sub(" ", _TEXT.sub(" ", _INLINE.sub(" ", text[: max(0, at)]))).rstrip(" $:\n")
     return _END_OF_SENTENCE.split(before)[-1].strip()
 
 
@@ -364,7 +365,8 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
     elif words and remark is not None:
         end = begin + len(text[begin:end].rstrip(" .,;:"))
     if begin < end and _EQUALS.search(text, begin, end):
-        yield _made(fragment, begin, end, _ENDED.sub("", f"{beside} {text[start:begin]} {tail}".strip()))
+        said = tail if tail.strip(" .,;:") else ""
+        yield _made(fragment, begin, end, _ENDED.sub("", f"{beside} {text[start:begin]} {said}".strip()))
 
 
 _ENDED = re.compile(r";[\s,]*\Z")
@@ -559,8 +561,6 @@ _CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 """A case, which has a result of its own: `if mu < b/h: P_max = ...`."""
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
-
-
 _BETWEEN_CONDITIONS = re.compile(
     r"[,;]|\bi\.\s?e\.|\bor equivalently\b|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
 )

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import replace
 
 from lagrange.answers.readings import GivenEquation
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft
-from lagrange.expressions.latex_layout import OneEquation, is_latex
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import Role
 
@@ -54,5 +53,4 @@ def _replaced(fragment: Fragment, pattern: re.Pattern[str], new: str | Callable[
     draft = Draft(fragment)
     if isinstance(fragment, GivenEquation) or not draft.replace(pattern, new):
         return fragment
-    made = draft.finished(latex=is_latex(fragment))
-    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+    return draft.finished(latex=is_latex(fragment))

@@ -57,7 +57,7 @@ from lagrange.core.units import NO_DIMENSION
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft
-from lagrange.expressions.latex_layout import OneEquation, is_latex
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import Role
 from lagrange.mechanics.dynamics.newton import short_reactions
@@ -265,8 +265,7 @@ def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
         return fragment
     draft = Draft(fragment)
     draft.apply([(match.end("name"), match.end("bracket"), "")])
-    made = draft.finished(latex=is_latex(fragment))
-    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+    return draft.finished(latex=is_latex(fragment))
 
 
 def _without_modulus(fragment: Fragment, scope: Scope) -> Fragment:
@@ -277,8 +276,7 @@ def _without_modulus(fragment: Fragment, scope: Scope) -> Fragment:
         return fragment
     draft = Draft(fragment)
     draft.apply([(0, match.end("bars"), match["name"])])
-    made = draft.finished(latex=is_latex(fragment))
-    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+    return draft.finished(latex=is_latex(fragment))
 
 
 def as_virtual(fragment: Fragment, scope: Scope) -> Fragment:

@@ -67,7 +67,8 @@ _ACCELERATION = re.compile(r"''|″|\u0308|¨|\\ddot|ddot|d\s*(?:\^\s*\{?2|²)|\
 _LABEL = re.compile(
     r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}(?::\s*\}|\}\s*&?\s*:)"
     r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))[^:=+\\]{0,8}:"
-    r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
+    r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:|\\?[A-Za-z]{1,10}(?:_\{?\w{1,3}\}?)?\s*:(?=\s*(?:&|~|\\q?quad|\\[,;: !])))"
+    r"\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
 )
 """What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
 
@@ -308,10 +309,18 @@ def without_prose(fragment: Fragment, known: Callable[[str], bool]) -> Fragment:
     return draft.finished()
 
 
-def is_condition(beside: str) -> bool:
-    """Whether the words before an equation make it a condition: `slack when T = 0`."""
+def is_condition(beside: str, text: str = "") -> bool:
+    """Whether the words before an equation make it a condition: `slack when T = 0`, `where T = 0`."""
     words = re.findall(r"[^\W\d_]+", beside)
-    return bool(words) and words[-1].lower() in _CONDITIONAL and not beside.rstrip().endswith((":", ",", "."))
+    conditional = bool(words) and (
+        words[-1].lower() in _CONDITIONAL or (words[-1].lower() in _WHERE and _VANISHES.fullmatch(text) is not None)
+    )
+    return conditional and not beside.rstrip().endswith((":", ",", "."))
+
+
+_WHERE = frozenset({"where", "wo", "où"})
+_VANISHES = re.compile(r"[\s$]*\\?[^\W\d]\w{0,12}\s*&?=\s*0[\s.,;$]*")
+"""A name that is zero, which defines nothing."""
 
 
 def words_known(scope: Scope, texts: Sequence[str]) -> Callable[[str], bool]:

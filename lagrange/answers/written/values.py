@@ -31,7 +31,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Sequence
-from dataclasses import replace
 
 import sympy as sp
 
@@ -43,7 +42,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.units import split_number, unit_of
 from lagrange.expressions.characters import ABOUT, GREEK
 from lagrange.expressions.edits import Draft, cuts
-from lagrange.expressions.latex_layout import OneEquation, is_latex
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.syntax_tree import FUNCTIONS
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.values.dimensions import dimension_of_unit
@@ -294,8 +293,7 @@ def _kept(fragment: Fragment, start: int, end: int) -> Fragment:
 def _finished(draft: Draft, fragment: Fragment) -> Fragment:
     if draft.text == fragment.text:
         return fragment
-    made = draft.finished(latex=is_latex(fragment))
-    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+    return draft.finished(latex=is_latex(fragment))
 
 
 # Remarks on stability
@@ -318,6 +316,20 @@ STABILITY = re.compile(
     rf"(?:\s+(?:equilibrium|position|one)s?(?:\s+(?:at|for|is)(?=\s+[^\s<>≤≥]+\s*=))?)?(?:{_CONDITION})?{_OTHERWISE}\s*[:,]?",
     re.IGNORECASE,
 )
+
+_OF_IT = re.compile(
+    r"(?:^|[,.;])\s*(?:(?:so|hence|thus|therefore|and)\s+)?(?:this|that|it|the)"
+    r"(?:\s+(?:equilibrium|position|one|state|point)(?:\s+of\s+(?:equilibrium|rest))?)?"
+    rf"\s+is\s+(?:therefore\s+|thus\s+|always\s+)?(?:an?\s+)?(?:{_KIND})(?![^\W\d_])",
+    re.IGNORECASE,
+)
+
+
+def stability_of_it(line: str) -> str:
+    """What a sentence says of the stability of the position before it: `This equilibrium is stable.`"""
+    said = None if "=" in line.replace("<=", "").replace(">=", "") else _OF_IT.search(line)
+    return "" if said is None else line[said.start() :].strip(" ,.;$\n").replace("$", " ")
+
 
 CONDITIONAL = re.compile(
     r"\(\s*(?:[^()=<>≤≥]{0,40}\s)?(?:if|for|when|exists?|only|where|falls|nur|wenn|für|provided|needs?|requires?|possible|assuming|since|because|as|valid)(?![^\W\d_])"
@@ -357,6 +369,4 @@ def without_star(fragment: Fragment) -> Fragment:
     draft = Draft(fragment)
     if not draft.replace(_STAR, ""):
         return fragment
-    made = draft.finished(latex=is_latex(fragment))
-    beside = getattr(fragment, "beside", "")
-    return replace(made, beside=beside) if isinstance(made, OneEquation) else made
+    return draft.finished(latex=is_latex(fragment))

@@ -259,7 +259,7 @@ class _Sorting:
         integrals = [x for x in lines if x.reading and x.reading.error and is_integral(x.text)]
         quotes += self._noted(integrals, "is an integral")
         quotes += self._about_special_cases(_without(lines, quotes))
-        conditions = [x for x in lines if is_condition(getattr(x.fragment, "beside", ""))]
+        conditions = [x for x in lines if is_condition(getattr(x.fragment, "beside", ""), x.text)]
         if len(conditions) < len(lines):
             quotes += self._noted(conditions, "is taken as a condition")
         return quotes

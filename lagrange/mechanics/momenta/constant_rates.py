@@ -12,6 +12,9 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.shortest_form import reading_length
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import partial
@@ -44,16 +47,22 @@ def _rate_from(condition: sp.Expr, rates: Sequence[sp.Symbol], degree: int) -> d
     for rate in rates:
         slope = partial(condition, rate)
         if slope != 0 and rate not in slope.free_symbols:
-            return {rate: textbook_form(-condition.xreplace({rate: ZERO}) / slope)}
+            return {rate: _quotient(-condition.xreplace({rate: ZERO}), slope)}
     for rate in rates if degree == 2 else ():
         of_square = sp.cancel(partial(condition, rate) / (2 * rate))
         if of_square != 0 and rate not in of_square.free_symbols:
-            return {rate: sp.sqrt(textbook_form(-condition.xreplace({rate: ZERO}) / of_square))}
+            return {rate: sp.sqrt(_quotient(-condition.xreplace({rate: ZERO}), of_square))}
     return None
 
 
+def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """A quotient without fractions within fractions: K (r + a)/(m a r³) for K (1/r + 1/a)/(m r²)."""
+    value = textbook_form(above / below)
+    return min((value, factored_quotient(value)), key=reading_length)
+
+
 def rate_at_position(
-    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], general: Equilibrium
+    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], general: Equilibrium, radius: sp.Symbol | None
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """The rate at which a coordinate keeps a value, φ'² = F(r), where the value is r = G(φ'²), or r³, and no angle."""
     if len(conditions) != 1 or len(rates) != 1 or any(b.left for b in general.branches):
@@ -63,14 +72,19 @@ def rate_at_position(
         return None
     [condition] = conditions
     solved = _rate_from(condition, rates, 2) if placed else None
-    return solved if solved is not None and determines(condition, rates[0], general) else None
+    return solved if solved is not None and determines(condition, rates[0], general, radius) else None
 
 
-def determines(condition: sp.Expr, rate: sp.Symbol, general: Equilibrium) -> bool:
-    """Whether a condition a φ'² = b has no other solutions than φ'² = b/a, because a and b nowhere vanish together."""
+def determines(condition: sp.Expr, rate: sp.Symbol, general: Equilibrium, radius: sp.Symbol | None) -> bool:
+    """Whether a condition a φ'² = b has no other solutions than φ'² = b/a, because a and b nowhere vanish together.
+
+    radius  a coordinate that is positive: a = m r² exp(r/b) does not vanish
+    """
     slope = sp.cancel(partial(condition, rate) / (2 * rate))
     if rate in slope.free_symbols:
         return False
+    if radius is not None and sign_of(slope.xreplace({radius: sp.Dummy(positive=True)})) in (1, -1):
+        return True
     both = solutions([slope, condition.xreplace({rate: ZERO})], general.configuration.slots.coordinates)
     return both.solved and not both.branches
 

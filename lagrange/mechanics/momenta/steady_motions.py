@@ -124,10 +124,11 @@ class SteadyMotions:
     complete: bool
 
 
-def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMotions:
+def steady_motions(motion: EquationsOfMotion, taken: frozenset[str], radius: sp.Symbol | None = None) -> SteadyMotions:
     """The steady motions of a system in free coordinates, or with constraints on velocities.
 
-    taken  names that the letters of the linear equations must not use
+    taken   names that the letters of the linear equations must not use
+    radius  a coordinate that is not negative: the radius of a frame
 
     Raises NotCoveredError if the coordinates are not free and `reduced_form` cannot help, or time occurs; ProblemError
     if no coordinate is cyclic.
@@ -159,7 +160,7 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         branches, complete = branches_at_rest(at_rest)
         known: dict[Any, SmallOscillations | None] = {}
         at = tuple(
-            _about(b, form, cyclic, at_rest, small, *letters, rates, known) if n < MOST_EQUILIBRIA else None
+            _about(b, form, cyclic, at_rest, small, *letters, rates, known, radius) if n < MOST_EQUILIBRIA else None
             for n, b in enumerate(branches)
         )
         of_others = replace(motion, configuration=remaining)
@@ -183,13 +184,13 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
             *([family({}, with_position)] if with_position.branches or not alone else []),
             *(family(rate, resting(rate)) for rate in alone),
         )
-        by_position = rate_at_position(conditions, rates, general) if len(families) == 1 else None
+        by_position = rate_at_position(conditions, rates, general, radius) if len(families) == 1 else None
         if by_position is not None:
             other = family(by_position, resting(by_position))
             families = (other,) if 2 * _length(other) < _length(families[0]) else families
     else:
         [(rate, value)] = solved.items()
-        complete = complete or determines(condition, rate, general)
+        complete = complete or determines(condition, rate, general, radius)
         denominator = sp.fraction(sp.together(value))[1]
         whatever = _at_any_rate(general, partial(condition, rate))
         excluded: list[dict[sp.Symbol, sp.Expr]] = [{v: ZERO} for v in rates if v in denominator.free_symbols]
@@ -378,6 +379,7 @@ def _about(
     exponent: sp.Symbol,
     rates: Mapping[sp.Symbol, sp.Expr],
     known: dict[Any, SmallOscillations | None],
+    radius: sp.Symbol | None,
 ) -> SmallOscillations | None:
     """The linear equations about the steady motions of one branch, at constant momenta.
 
@@ -393,7 +395,8 @@ def _about(
         return None
     if matrices is None:
         return None
-    real = (x for v, e in _rates_on(b, rates).items() for x in _without_root(v, e).positive)
+    real = [x for v, e in _rates_on(b, rates).items() for x in _without_root(v, e).positive]
+    real += [radius] if radius in resting.configuration.slots.coordinates else []
     b = replace(b, implied=(*b.implied, *map(more_than_zero, real)))
     size = len(names)
     shape = tuple(tuple(sp.Integer(i == j) for j in range(size)) for i in range(size))

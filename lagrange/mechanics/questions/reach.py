@@ -348,12 +348,11 @@ def initial_motion(setting: Setting, rule: Mapping[sp.Symbol, sp.Expr], when: Se
     """
     configuration, initial = setting.place.configuration, setting.initial
     coordinates = configuration.slots.coordinates
-    frame = setting.problem.frame
-    first = frame.names[0] if frame is not None and frame.turning else ""
     radii = tuple(
         q
         for q in coordinates
-        if sign_of_value(initial.get(q, sp.S.Zero)) == 1 and (first == f"e_{q}" or setting.is_kept_from_zero(q))
+        if sign_of_value(initial.get(q, sp.S.Zero)) == 1
+        and (q == setting.problem.radius or setting.is_kept_from_zero(q))
     )
     own = tuple(q for q in coordinates if q not in rule and q not in setting.fixed)
     free = len(coordinates) - len(configuration.rows)

@@ -362,11 +362,9 @@ def initial_state(place: MotionView, problem: Problem, others: Sequence[Configur
 
 def _check_radii(known: SymbolValues, problem: Problem) -> None:
     """Raises ProblemError if the radius of the frame begins negative."""
-    frame = problem.frame
-    first = frame.names[0] if frame is not None and frame.turning else ""
     for v in problem.initial:
         value = known.get(v.symbol)
-        if first == f"e_{v.symbol}" and value is not None and sign_of(value) == -1:
+        if v.symbol == problem.radius and value is not None and sign_of(value) == -1:
             message = f"the initial value of `{v.symbol}` is negative, and it is a radius"
             help_ = "a radius is not negative: turn the angle by pi instead"
             raise ProblemError(Diagnostic("negative-radius", message, v.span, help=help_))

@@ -23,6 +23,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.pictures.floats import NoValueError, inner, outer
+from lagrange.pictures.implied.halves import half_disc
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.shapes import coordinates_in_body, plane_rotation
 from lagrange.pictures.systems import SystemPicture, is_string
@@ -99,6 +100,8 @@ def _plane(system: SystemPicture, p: MassPoint) -> BodyShape | None:
     rotation = plane_rotation(system.configuration, p.name)
     assert rotation is not None
     called = words_for(system, p.name)
+    if half_disc(system, p) is not None:
+        return None
     if _BOX.search(called):
         return _box(system, p, rotation)
     if system.shapes[p.name].radius and not _REEL.search(called):
@@ -218,6 +221,12 @@ def _rim(system: SystemPicture, rotation: Rotation) -> sp.Expr | None:
     """The radius R of a pulley, as far as a string says it by x' = R φ'; None for any other body."""
     coordinates = system.configuration.slots.coordinates
     turning = rotation.axes[0].fixed().as_sum().free_symbols & {*coordinates}
+    for o in system.configuration.points if len(turning) == 1 and _PULLEY.search(system.text) else ():
+        [q] = turning
+        way = o.position.fixed().partial(q)
+        own = o.position.fixed().as_sum().free_symbols & {*coordinates}
+        if o.name != rotation.name and o.mass != 0 and own == {q} and not way.as_sum().has(q) and not way.is_zero:
+            return sp.Abs(sp.sqrt(way.dot(way)))
     for reaction in system.newton.reactions if _PULLEY.search(system.text) else ():
         if not is_string(reaction) or len(reaction.row.coefficients) != len(coordinates):
             continue

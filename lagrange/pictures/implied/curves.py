@@ -22,7 +22,8 @@ from lagrange.pictures.loads import constraint_curve
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import push_sense
 from lagrange.pictures.sketch import Sketch, apart, beyond, in_line, left_of, same_ends, scaled, toward
-from lagrange.pictures.systems import ROD, PaperMap, SystemPicture, is_string
+from lagrange.pictures.systems import ROD, SystemPicture, is_string
+from lagrange.pictures.views import PaperMap
 from lagrange.problem.model import Keeper, Outline
 
 

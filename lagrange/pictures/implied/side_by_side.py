@@ -20,18 +20,24 @@ DROP = sp.Rational(13, 5)
 """How far weights hang below the axle where their coordinates are 0; the lengths of a picture are about 2."""
 
 
-def beside(configuration: Configuration, strings: tuple[Reaction, ...]) -> Configuration:
-    """The ends of each string side by side, and weights on both sides of a pulley below it."""
+def beside(configuration: Configuration, strings: tuple[Reaction, ...], down: Vector | None = None) -> Configuration:
+    """The ends of each string side by side, and weights on both sides of a pulley below it.
+
+    down  the direction of gravity, where the text has strings
+    """
     for reaction in strings:
         shifts = _apart(configuration, reaction)
         if shifts:
-            return _shifted(configuration, shifts)
+            return shifted(configuration, shifts)
     hung = [pair for reaction in strings if (pair := _on_pulley(configuration, reaction)) is not None]
     pulleys = [pulley for _, pulley, _ in hung]
-    return _shifted(configuration, {name: way * DROP for name, pulley, way in hung if pulleys.count(pulley) > 1})
+    if not hung and down is not None:
+        return shifted(configuration, {name: way * DROP for name, way in _off_rims(configuration, down)})
+    return shifted(configuration, {name: way * DROP for name, pulley, way in hung if pulleys.count(pulley) > 1})
 
 
-def _shifted(configuration: Configuration, shifts: Mapping[str, Vector]) -> Configuration:
+def shifted(configuration: Configuration, shifts: Mapping[str, Vector]) -> Configuration:
+    """The configuration with its points and their loads moved by constants."""
     if not shifts:
         return configuration
     zero = Vector.zero()
@@ -83,6 +89,25 @@ def _on_pulley(configuration: Configuration, reaction: Reaction) -> tuple[str, s
         if name != pulley and not way.is_zero and not way.as_sum().free_symbols & moving and not _beside(place, way):
             return name, pulley, way
     return None
+
+
+def _off_rims(configuration: Configuration, down: Vector) -> Iterator[tuple[str, Vector]]:
+    """The weights that the angle of a pulley with a fixed centre moves up and down by R φ, at R from its axis."""
+    coordinates, field = {*configuration.slots.coordinates}, down.fixed()
+    places = {p.name: p.position.fixed() for p in configuration.points}
+    size = sp.sqrt(field.dot(field))
+    for r in configuration.rotations:
+        angles = r.axes[0].fixed().as_sum().free_symbols & coordinates
+        if len(angles) != 1 or places[r.name].as_sum().free_symbols & coordinates:
+            continue
+        [q] = angles
+        for name in places.keys() - {r.name}:
+            way, start = places[name].partial(q), (places[name] - places[r.name]).map(lambda c, q=q: c.subs(q, 0))
+            along = way.dot(field) / size
+            rim = sp.expand(start.dot(start) - way.dot(way))
+            upright = sp.expand(along**2 - way.dot(way)) == 0
+            if along != 0 and rim == 0 and upright and start.dot(field) == 0 and not way.as_sum().has(q):
+                yield name, field * (1 / size)
 
 
 def _beside(place: Vector, way: Vector) -> bool:

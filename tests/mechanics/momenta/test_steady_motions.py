@@ -457,10 +457,18 @@ answers: {steady: ["m*r*phi'^2 = K*exp(-r/a)*(1/r^2 + 1/(a*r))"]}
 
 @pytest.mark.parametrize(
     ("force", "where"),
-    [("K/r^2*exp(-r/b)", "b > r"), ("K/r^2 + K*b^2/r^4", "r > b"), ("K*r^n", "n + 3 > 0")],
+    [
+        ("K/r^2*exp(-r/b)", "b > r"),
+        ("K/r^2 + K*b^2/r^4", "r > b"),
+        ("K*r^n", "n + 3 > 0"),
+        ("K*(1/r^2 + 1/(b*r))*exp(-r/b)", "b*(b + r) > r**2"),
+    ],
 )
 def test_a_circular_orbit_has_a_positive_radius(force: str, where: str) -> None:
-    """It is stable where 3 + r F'/F > 0: screened, 1 > r/b; of a power, n > −3; 1/r² + b²/r⁴ only outside r = b."""
+    """It is stable where 3 + r F'/F > 0: screened, 1 > r/b; of a power, n > −3; 1/r² + b²/r⁴ only outside r = b.
+
+    In Yukawa's potential φ'² > 0 does not imply r > 0, and it is stable where b² + b r > r².
+    """
     text = f"""title: Orbit
 parameters: {{m: positive, K: positive, b: positive, n: real}}
 coordinates: [r, phi]

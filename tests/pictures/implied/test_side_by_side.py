@@ -57,3 +57,18 @@ def test_what_hangs_on_one_part_of_a_string_is_on_one_side() -> None:
     sides = {p.name: drawn.page(drawn.pose.at(p.position))[0] for p in drawn.configuration.points}
     assert sides["end"] == sides["bob"]
     assert abs(sides["block"] - sides["bob"]) > 0.3
+
+
+def test_weights_that_the_angle_of_a_pulley_moves_hang_below_it_on_a_rope() -> None:
+    text = """
+title: Two weights on a {rope}
+parameters: [m_1, m_2, J, R, g]
+coordinates: [phi]
+bodies: {{pulley: {{inertia: J, position: 0*i, angle: phi}}}}
+particles: {{A: {{mass: m_1, position: -R*i - R*phi*j}}, B: {{mass: m_2, position: R*i + R*phi*j}}}}
+gravity: -g*j
+"""
+    for rope, below in (("rope", True), ("wheel", False)):
+        drawn = system(text.format(rope=rope))
+        heights = [drawn.pose.at(p.position)[1] for p in drawn.configuration.points if p.mass != 0]
+        assert (max(heights) < 0) is below

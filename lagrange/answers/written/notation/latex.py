@@ -30,9 +30,9 @@ _L_COLOUR = re.compile(r"\\(?:color|textcolor|colorbox)\s*(?:\[[A-Za-z]{1,8}\])?
 _L_TIES = re.compile(r"(?<=\{)\s*(?:~\s*)+(?=d\b)")
 """The tie that handwriting recognition puts before a differential: `\\mathrm{~d} t`."""
 _L_DROPPED = re.compile(
-    r"\\(?:mathcal|mathscr|mathfrak|mathop|mathbin|mathrel|mathord|mathstrut|strut|left\s*\.|right\s*\.|bf|it|large|Large|small"
+    r"\\(?:mathcal|mathscr|mathfrak|mathop|mathbin|mathrel|mathord|mathstrut|strut|bf|it|large|Large|small"
     r"|underline|overline|uwave|smash|therefore|because|implies|Rightarrow|Longrightarrow|rightarrow|to|leadsto|iff"
-    r"|Leftrightarrow|blacksquare|square|Box|qed|checkmark|vdots|lvert_|Bigg?r?\.|unicode\{[0-9x]+\})(?![A-Za-z])"
+    r"|Leftrightarrow|blacksquare|square|Box|qed|checkmark|vdots|lvert_|unicode\{[0-9x]+\})(?![A-Za-z])|\\(?:left|right|Bigg?r?)\s*\."
 )
 _L_DEGREES = re.compile(
     r"(?<=[0-9])\s*(?:\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\})|\\(?:degree|textdegree)(?![A-Za-z])|°)"

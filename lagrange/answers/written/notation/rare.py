@@ -29,14 +29,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.answers.limits import LONGEST_REPEATED, MOST_IN_A_RATIO, MOST_OPERATORS
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings, cuts
-from lagrange.expressions.latex_layout import OneEquation, is_latex
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import Role
 
@@ -117,8 +116,7 @@ def with_indices(fragment: Fragment, scope: Scope) -> Fragment:
         return fragment
     draft = Draft(fragment)
     draft.replace(_INDEX, lambda m: _with_index(m, scope))
-    made = draft.finished()
-    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+    return draft.finished()
 
 
 def special_latex(draft: Draft) -> None:
