@@ -27,7 +27,7 @@ from lagrange.answers.limits import (
 )
 from lagrange.answers.models.letters import geometry_of, letter_variations
 from lagrange.answers.models.mechanics import Variation
-from lagrange.answers.other_angles import widened
+from lagrange.answers.other_angles import widened_system
 from lagrange.answers.readings import (
     GivenEquation,
     Reading,
@@ -491,10 +491,9 @@ def _judged(
     comparison = EquilibriumComparison(equilibrium, values, systems)
     literal = comparison.verdict(readings, systems)
     if literal.verdict is Verdict.WRONG and any(r.with_decimals for a in readings for r in a):
-        meant, remarks = _with_right_decimals(readings, systems, comparison, rewritten)
-        if meant != systems:
-            literal = EquilibriumComparison(equilibrium, values, meant).verdict(readings, meant)
-            systems = meant
+        exact, remarks = _with_right_decimals(readings, systems, comparison, rewritten)
+        if exact != systems:
+            literal, systems = EquilibriumComparison(equilibrium, values, exact).verdict(readings, exact), exact
             literal = replace(
                 literal,
                 equations=tuple(
@@ -505,8 +504,9 @@ def _judged(
     if literal.verdict is Verdict.EQUIVALENT:
         return literal
     waves = (None, *((sp.tan, sp.cos, sp.sin) if literal.verdict is Verdict.INCOMPLETE else ()))
+    meant = [comparison.is_in_contact(r, a) for r, a in zip(readings, systems, strict=True)]
     for wave in waves:
-        wider = [[tuple(widened(e, wave) for e in es) for es in a] for a in systems]
+        wider = [widened_system(a, wave) if c else a for a, c in zip(systems, meant, strict=True)]
         if wider == systems:
             continue
         read_wider = EquilibriumComparison(equilibrium, values, wider).verdict(readings, wider)

@@ -29,7 +29,6 @@ from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, agree, is_one_with_root, parameters_given
 from lagrange.algebra.closed_forms.undefined_points import undefined_points
 from lagrange.algebra.closed_forms.unit_circle import (
-    CIRCULAR,
     NotAlgebraicError,
     TrigLetters,
     is_in_circular,
@@ -38,7 +37,7 @@ from lagrange.algebra.closed_forms.unit_circle import (
 )
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.friction.logarithms import at, in_sums, with_logarithms
-from lagrange.answers.other_angles import as_waves
+from lagrange.answers.other_angles import as_waves, on_circle
 from lagrange.answers.readings import Reading
 from lagrange.answers.unsolved_equations import are_balanced
 from lagrange.answers.validity import also_holds
@@ -242,6 +241,13 @@ class EquilibriumComparison:
             return AnswerVerdict(Verdict.INCOMPLETE, equations, missing=len(uncovered) + bool(lost))
         return AnswerVerdict(Verdict.EQUIVALENT, equations)
 
+    def is_in_contact(self, readings: Sequence[Reading], system: Sequence[Sequence[sp.Expr]]) -> bool:
+        """Whether an alternative has other places than those at which a contact would have to pull: +θ, and not −θ."""
+        if not self.equilibrium.slack:
+            return True
+        alternative = self._alternative(tuple(readings), system)
+        return any(self._one_holds(self._cases(p, [alternative])) is not False for _, p in self.demanded)
+
     def _uncovered(self, alternatives: Sequence[_Alternative]) -> set[int] | None:
         """The branches with a point that satisfies none of the alternatives; None: undecided."""
         uncovered = set()
@@ -310,7 +316,7 @@ class EquilibriumComparison:
                 if given is not None and given[0] not in angles:
                     angles[given[0]] = given[1]
                 else:
-                    kept.append(self._on_circle(in_sums(e) if self.has_logarithms else e))
+                    kept.append(on_circle(in_sums(e) if self.has_logarithms else e, self.angles))
             equations.append(tuple(kept))
         return _Alternative(readings, tuple(equations), angles)
 
@@ -323,15 +329,6 @@ class EquilibriumComparison:
                 if not angle.free_symbols & {*self.unknowns}:
                     return u, angle
         return None
-
-    def _on_circle(self, e: sp.Expr) -> sp.Expr:
-        """θ1 = θ2 as cos(θ1 − θ2) = 1, if angles occur outside sines and cosines."""
-        inside = {s for f in e.atoms(*CIRCULAR) for s in f.free_symbols}
-        bare = sorted((self.angles & e.free_symbols) - inside, key=str)
-        rates = [e.diff(u) for u in bare]
-        if not bare or not all(r.is_Rational and r != 0 for r in rates):
-            return e
-        return sp.cos(sp.expand(e / rates[0])) - 1
 
     def _judged(self, a: _Alternative) -> _Judged:
         evident = [self._evident(r, es) for r, es in zip(a.readings, a.equations, strict=True)]

@@ -6,10 +6,11 @@ others are equilibria as well is for the comparison to say, so the equation is r
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.answers.limits import SAME_ANGLE
 
 _INVERSE: dict[type, sp.FunctionClass] = {sp.atan: sp.tan, sp.acos: sp.cos, sp.asin: sp.sin}
@@ -38,6 +39,21 @@ def widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
     return e
 
 
+def widened_system(system: Sequence[tuple[sp.Expr, ...]], wave: sp.FunctionClass | None) -> list[tuple[sp.Expr, ...]]:
+    """Every equation of a system `widened`."""
+    return [tuple(widened(e, wave) for e in es) for es in system]
+
+
 def as_waves(angles: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
     """u = α as cos u = cos α and sin u = sin α, each as an expression that is zero."""
     return [f(u) - f(angle) for u, angle in angles.items() for f in (sp.cos, sp.sin)]
+
+
+def on_circle(e: sp.Expr, angles: Collection[sp.Symbol]) -> sp.Expr:
+    """θ1 = θ2 as cos(θ1 − θ2) = 1, if angles occur outside sines and cosines."""
+    inside = {s for f in e.atoms(*CIRCULAR) for s in f.free_symbols}
+    bare = sorted((e.free_symbols & {*angles}) - inside, key=str)
+    rates = [e.diff(u) for u in bare]
+    if not bare or not all(r.is_Rational and r != 0 for r in rates):
+        return e
+    return sp.cos(sp.expand(e / rates[0])) - 1

@@ -170,3 +170,25 @@ def test_forces_balance_where_a_linkage_is_stretched_out(last: str, expected: Ve
     closed = ["2*sin(alpha) + sin(beta) - sin(gamma) = 0", "2*cos(alpha) - 2 + cos(beta) - cos(gamma) = 0"]
     stated = tuple(Fragment.of(e) for e in (*closed, last))
     assert examiner(FOUR_BAR).check(stated).verdict is expected
+
+
+ROD_OVER_PEG = """title: Rod between a smooth wall and a smooth peg
+parameters: {m: positive, g: positive, l: positive, a: positive}
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  wall: {equation: x - l/2*cos(theta) >= 0, reaction: N_A}
+  peg: {equation: y*cos(theta) - (x - a)*sin(theta) >= 0, reaction: N_B}
+gravity: -g*j
+find: [equilibrium]
+"""
+
+
+def test_an_angle_without_contact_does_not_stand_for_the_one_with_contact() -> None:
+    """cos³ θ = 2a/l, with N_A = m g tan θ: only θ > 0 presses on the wall."""
+    judge = examiner(ROD_OVER_PEG)
+    verdicts = {
+        e: judge.check((Fragment.of(e),)).verdict
+        for e in ("theta = acos((2*a/l)^(1/3))", "theta = -acos((2*a/l)^(1/3))", "cos(theta)^3 = 2*a/l")
+    }
+    assert [*verdicts.values()] == [EQUIVALENT, INCOMPLETE, EQUIVALENT]

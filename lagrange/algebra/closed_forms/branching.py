@@ -13,12 +13,13 @@ nothing else is asked of the unknowns: W_1 a = W_2 b. The number of steps is bou
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import replace
 from itertools import islice, product
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
+from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned
 from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.limits import (
     MOST_BRANCH_POINTS,
@@ -41,8 +42,6 @@ from lagrange.algebra.closed_forms.single_equation import (
     Root,
     Values,
     one_unknown,
-    pair_of_sum,
-    parallel_angles,
     plain_roots,
     trivial_solutions,
 )
@@ -65,23 +64,6 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLet
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.effort import GivenUpError, allowed_for_a_search
 from lagrange.core.expression_size import count_operations
-from lagrange.core.records import record
-
-
-@record
-class _State:
-    """A place in the search; `nonzero` are divisors with unknowns: another state takes the place where they vanish."""
-
-    equations: tuple[sp.Expr, ...]
-    values: Values = field(default_factory=dict)
-    common: Values = field(default_factory=dict)
-    relations: tuple[Relation, ...] = ()
-    conditions: tuple[SignCondition, ...] = ()
-    special: bool = False
-    stuck: tuple[sp.Expr, ...] = ()
-    solved: tuple[sp.Symbol, ...] = ()
-    signs: tuple[tuple[Values, ...], ...] = ()
-    nonzero: tuple[sp.Expr, ...] = ()
 
 
 class _TooLongError(Exception):
@@ -179,7 +161,7 @@ def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp
     return readable, strange
 
 
-def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], letters: TrigLetters) -> _State:
+def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], letters: TrigLetters) -> State:
     """The state in which some angles are known."""
     values: dict[sp.Symbol, sp.Expr] = {}
     relations = []
@@ -187,7 +169,7 @@ def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], l
         lettered = letters.angles[u]
         values[lettered.cosine], values[lettered.sine] = letters.pair(lettered.measure.xreplace({u: angle}))
         relations.append(Relation(u, angle))
-    return _State(equations, values, values, tuple(relations), solved=tuple(known))
+    return State(equations, values, values, tuple(relations), solved=tuple(known))
 
 
 class _BranchSearch:
@@ -196,7 +178,7 @@ class _BranchSearch:
         self.first = tuple(first)
         self.steps = 0
 
-    def branches(self, state: _State) -> Iterator[Branch]:
+    def branches(self, state: State) -> Iterator[Branch]:
         """The branches of a state."""
         self.steps += 1
         if self.steps > MOST_BRANCHINGS:
@@ -228,7 +210,7 @@ class _BranchSearch:
                 return
         yield from self._solved(state)
 
-    def _prepared(self, state: _State) -> _State | None:
+    def _prepared(self, state: State) -> State | None:
         """The equations with the known values substituted, as polynomials; None if they are contradictory."""
         kept = []
         state = self._with_roots(state)
@@ -259,7 +241,7 @@ class _BranchSearch:
             kept += [x for x in zero_each or (e,) if x not in kept]
         return replace(state, equations=tuple(sorted(kept, key=lambda e: (count_operations(e), str(e)))))
 
-    def _vanishes(self, divisor: sp.Expr, state: _State) -> bool:
+    def _vanishes(self, divisor: sp.Expr, state: State) -> bool:
         """Whether a divisor is zero for the known values."""
         parts = numerator(resolved(divisor, state.values))
         if parts is None:
@@ -269,7 +251,7 @@ class _BranchSearch:
             return True  # values that were tried make what it contains infinite
         return bool(reduced == 0 or (not self.letters.unknowns_in(reduced) and is_zero(self.letters.write(reduced))))
 
-    def _with_roots(self, state: _State) -> _State:
+    def _with_roots(self, state: State) -> State:
         """The state with the values substituted under roots too: √(x² + y²) is √x², another letter, where y = 0."""
         used = {s for e in state.equations for s in e.free_symbols}
         renamed: dict[sp.Symbol, sp.Expr] = {}
@@ -286,7 +268,7 @@ class _BranchSearch:
             replace(state, values={**state.values, **renamed}, common={**state.common, **renamed}) if renamed else state
         )
 
-    def _root_given(self, state: _State) -> _State | None:
+    def _root_given(self, state: State) -> State | None:
         """The state after √D = v is replaced by D = v² where v ≥ 0, and √D by v; no equations where v < 0.
 
         None if no equation of several unknowns is of this kind.
@@ -319,7 +301,7 @@ class _BranchSearch:
         reduced = self.letters.reduced(e)
         return reduced if reduced == 0 or not self.letters.unknowns_in(reduced) else e
 
-    def _for_parameters(self, e: sp.Expr, state: _State) -> Relation | None:
+    def _for_parameters(self, e: sp.Expr, state: State) -> Relation | None:
         """An equation between parameters alone, where these may satisfy it."""
         if state.special or e.is_number:
             return None
@@ -328,7 +310,7 @@ class _BranchSearch:
         able = [p for p in pieces if p.is_Add and sign_of(p) is None]
         return Relation(*plain_sides(self.letters.write(able[0]))) if len(able) == 1 else None
 
-    def _pieces(self, e: sp.Expr, state: _State) -> list[tuple[sp.Expr, bool]] | None:
+    def _pieces(self, e: sp.Expr, state: State) -> list[tuple[sp.Expr, bool]] | None:
         """The factors of an equation that may vanish, if there are several, or if something can be divided out."""
         irreducible = irreducible_factors(e)
         if irreducible is None:
@@ -358,14 +340,13 @@ class _BranchSearch:
     def _circular(self, e: sp.Expr) -> bool:
         return any(s in e.free_symbols for a in self.letters.angles.values() for s in a.letters)
 
-    def _solved(self, state: _State) -> Iterator[Branch]:
+    def _solved(self, state: State) -> Iterator[Branch]:
         """One more unknown found."""
         # Linear first, where the coefficient has no unknowns: no branch is made, and nothing is lost. Then an equation
         # in one unknown, then an angle that others give; a coefficient that may vanish comes last, as it doubles the
         # branches.
-        linear = self._linear(state, with_unknowns=False)
-        if linear is not None:
-            yield from self.branches(linear[0])
+        for eliminated in linear(state, self.letters, self.first, with_unknowns=False):
+            yield from self.branches(eliminated)
             return
         for n, e in enumerate(state.equations):
             unknowns = self.letters.unknowns_in(e)
@@ -395,41 +376,37 @@ class _BranchSearch:
                         )
                     )
             return
-        turned = self._turned(state)
-        if turned is not None:
-            yield from self.branches(turned)
-            return
-        powers = self._of_powers(state)
-        if powers is not None:
-            yield from self.branches(replace(state, equations=powers))
-            return
-        for other in self._linear(state, with_unknowns=True) or ():
+        fewer = (
+            turned(state, self.letters)
+            or self._of_powers(state)
+            or linear(state, self.letters, self.first, with_unknowns=True)
+            or parallel(state, self.letters)
+            or on_circle(state, self.letters)
+        )
+        for other in fewer:
             yield from self.branches(other)
-            continue
-        if self._linear(state, with_unknowns=True) is None:
-            if parallel := self._parallel(state):
-                for other in parallel:
-                    yield from self.branches(other)
-                return
-            for values in trivial_solutions(state.equations, self.letters):
-                yield from self.branches(self._taken(state, (), values))
-            yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
+        if fewer:
+            return
+        for values in trivial_solutions(state.equations, self.letters):
+            yield from self.branches(self._taken(state, (), values))
+        yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
 
-    def _of_powers(self, state: _State) -> tuple[sp.Expr, ...] | None:
-        """Simpler equations for those that are linear in powers of unknowns, or homogeneous in two of them."""
+    def _of_powers(self, state: State) -> list[State]:
+        """The state with simpler equations for those linear in powers of unknowns, or homogeneous in two of them."""
         used = frozenset[sp.Symbol]().union(*(e.free_symbols for e in state.equations))
         unknowns = frozenset[sp.Symbol]().union(*map(self.letters.unknowns_in, state.equations))
         angles = {u for u in unknowns if u in self.letters.angles}
         if len(unknowns) < 2 or used & angles or used & self.letters.roots.keys():
-            return None
+            return []
         circular = {s for u in angles for s in self.letters.angles[u].letters}
         letters = sorted((unknowns - angles) | (circular & used), key=str)
         if not angles and vanish_at_origin_alone(state.equations, letters):
-            return tuple(letters)
+            return [replace(state, equations=tuple(letters))]
         less = without_common_squares(state.equations, letters)
-        return solved_for_powers(state.equations, letters) or (less if less != state.equations else None)
+        simpler = solved_for_powers(state.equations, letters) or (less if less != state.equations else None)
+        return [] if simpler is None else [replace(state, equations=simpler)]
 
-    def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
+    def _taken(self, state: State, rest: tuple[sp.Expr, ...], values: Values) -> State:
         """The state in which some unknowns have trivial values, 0 or π."""
         relations = tuple(Relation(u, v) for u, v in values.items() if u in self.letters.unknowns)
         return replace(
@@ -457,7 +434,7 @@ class _BranchSearch:
             completed.append(replace(r, values=({**values, angle.cosine: c, angle.sine: s},)))
         return completed
 
-    def _mixed(self, e: sp.Expr, u: sp.Symbol, rest: tuple[sp.Expr, ...], state: _State) -> Iterator[Branch]:
+    def _mixed(self, e: sp.Expr, u: sp.Symbol, rest: tuple[sp.Expr, ...], state: State) -> Iterator[Branch]:
         """An equation that is not solved, such as k θ = m g l sin θ; its root θ = 0 is still found."""
         left = replace(state, equations=rest, stuck=(*state.stuck, e), solved=(*state.solved, u))
         for values in trivial_solutions((e,), self.letters):
@@ -465,99 +442,7 @@ class _BranchSearch:
             left = replace(left, conditions=(*left.conditions, SignCondition(u, "≠", values[u])))
         yield from self.branches(left)
 
-    def _linear(self, state: _State, with_unknowns: bool) -> list[_State] | None:
-        """The states after eliminating an unknown that occurs linearly; None if there is none."""
-        plain = [u for u in self.letters.unknowns if u not in self.letters.angles and u not in state.solved]
-        plain.sort(key=lambda u: u not in self.first)
-        for u in plain:
-            for n, e in enumerate(state.equations):
-                parts = self._as_linear(e, u)
-                if parts is None:
-                    continue
-                a, b = parts
-                if bool(self.letters.unknowns_in(a)) is not with_unknowns:
-                    continue
-                rest = (*state.equations[:n], *state.equations[n + 1 :])
-                value = factored_quotient(-b / a)
-                states = [
-                    replace(
-                        state,
-                        equations=rest,
-                        values={**state.values, u: value},
-                        common={**state.common, u: value},
-                        relations=(*state.relations, Relation(u, value)),
-                        conditions=(*state.conditions, *self._nonzero(a)),
-                        solved=(*state.solved, u),
-                    )
-                ]
-                if with_unknowns:
-                    [divided] = states
-                    vanishing = replace(state, equations=(*rest, a, b))
-                    return [replace(divided, nonzero=(*state.nonzero, a)), vanishing]
-                return states
-        return None
-
-    def _turned(self, state: _State) -> _State | None:
-        """The state after eliminating an angle that another one gives, θ = ψ + α; None if there is none."""
-        letters = {s for a in self.letters.angles.values() for s in a.letters}
-        for n, e in enumerate(state.equations):
-            if not e.free_symbols.isdisjoint(letters):
-                continue
-            for u in [u for u in self.letters.unknowns if u in self.letters.angles and u not in state.solved]:
-                parts = self._as_linear(e, u)
-                if parts is None or self.letters.unknowns_in(parts[0]):
-                    continue
-                value = factored_quotient(-parts[1] / parts[0])
-                pair = pair_of_sum(self.letters.angles[u].measure.xreplace({u: value}), self.letters)
-                if pair is None:
-                    continue
-                taken = self._with_angle(state, n, Relation(u, value), pair)
-                return replace(taken, conditions=(*state.conditions, *self._nonzero(parts[0])))
-        return None
-
-    def _with_angle(self, state: _State, n: int, relation: Relation, pair: Sequence[sp.Expr]) -> _State:
-        """The state in which equation n gives an angle; `pair` has its cosine and sine."""
-        u = relation.lhs
-        values = {u: relation.rhs, **dict(zip(self.letters.angles[u].letters, pair, strict=True))}
-        return replace(
-            state,
-            equations=(*state.equations[:n], *state.equations[n + 1 :]),
-            values={**state.values, **values},
-            common={**state.common, **values},
-            relations=(*state.relations, relation),
-            solved=(*state.solved, u),
-        )
-
-    def _parallel(self, state: _State) -> list[_State]:
-        """The states with α = β and α = β + π in place of sin(α − β) = 0, or with −β of sin(α + β) = 0."""
-        for n, e in enumerate(state.equations):
-            found = parallel_angles(e, [u for u in self.letters.unknowns if u not in state.solved], self.letters)
-            if found is not None:
-                a, b, sign = found
-                values = [(sign * b, 1), (sign * b + sp.pi, -1)]
-                cosine, sine = self.letters.angles[b].letters
-                return [self._with_angle(state, n, Relation(a, v), (k * cosine, k * sign * sine)) for v, k in values]
-        return []
-
-    def _nonzero(self, coefficient: sp.Expr) -> list[SignCondition]:
-        """The conditions under which what is divided by does not vanish: k l ≠ m g."""
-        pieces = [self.letters.shortest(p) for p in irreducible_factors(coefficient) or [] if p.is_Add]
-        sums = [p for p in pieces if p.is_Add]
-        return [c for p in sums if not self.letters.unknowns_in(p) for c in different_from_zero(p)]
-
-    def _as_linear(self, e: sp.Expr, u: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
-        """a, b with e = a u + b."""
-        if u not in e.free_symbols or any(
-            u in self.letters.unknowns_in(r) for r in self.letters.roots if r in e.free_symbols
-        ):
-            return None
-        try:
-            poly = sp.Poly(e, u)
-        except sp.PolynomialError:
-            return None
-        return (poly.coeff_monomial(u), poly.coeff_monomial(1)) if poly.degree() == 1 else None
-
-    def _finished(self, state: _State) -> Branch:
+    def _finished(self, state: State) -> Branch:
         """The branch, its relations still in letters and as they were found."""
         values, common = dict(state.values), dict(state.common)
         for letter, radicand in self.letters.roots.items():
@@ -575,7 +460,7 @@ class _BranchSearch:
         conditions = (*state.conditions, *self._divided(state)) if left else state.conditions
         return Branch(relations, conditions, tuple(points), common, state.special, left)
 
-    def _divided(self, state: _State) -> Iterator[SignCondition]:
+    def _divided(self, state: State) -> Iterator[SignCondition]:
         """That divisors do not vanish, where equations in numbers are left.
 
         At an isolated root of these a divisor may vanish, and what was divided need not hold there. With parameters

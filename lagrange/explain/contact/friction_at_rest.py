@@ -35,6 +35,10 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     if rest.equal:
         pairs = listed(math(q, e) for q, e in rest.equal.items())
         body.append(prose("For acute angles the constraints give ", *pairs, "."))
+    if rest.lengths.values:
+        pairs = listed(math(q, e) for q, e in rest.lengths.values.items())
+        nonzero = series((math(e, ZERO, relation="≠"),) for e in rest.lengths.nonzero)
+        body.append(prose("The constraints give ", *pairs, *((", where ", *nonzero) if nonzero else ()), "."))
     if rest.balance:
         body.append(prose("At rest the forces balance for every coordinate:"))
         body.append(

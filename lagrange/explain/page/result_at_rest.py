@@ -5,13 +5,15 @@ Each solution is followed by its conditions and its stability, as far as they ar
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
+from lagrange.core.units import NO_DIMENSION
 from lagrange.document.derivation import Equation, Mathematics, Part, Rule, listed, math, series
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
 from lagrange.explain.page.conclusions.positions import stability_of
@@ -94,12 +96,13 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
             groups += [_found(p) for p in places]
             continue
         words: tuple[Part, ...] = ()
-        if verdict is not None:
-            said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
-            if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
-                words = stability_in_short(verdict)
         is_open = bool(b.conditions) or verdict is None or verdict.verdict is StabilityVerdict.CONDITIONAL
         known = _with_values(numbers, n) if is_open else ()
+        if verdict is not None:
+            said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
+            is_short = sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS
+            if not b.left and is_short and not (known and _lack_units(said, numbers)):
+                words = stability_in_short(verdict)
         words = (*words, *(("; ",) if words and known else ()), *known)
         contact = _contact(reactions[n]) if reactions else ()
         words = (*contact, *(("; ",) if words and contact else ()), *words)
@@ -162,6 +165,19 @@ def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part
         if verdicts == {decided}:
             return (WITH_VALUES, decided.value)
     return ()
+
+
+def _lack_units(conditions: Iterable[SignCondition], numbers: EquilibriaInNumbers | None) -> bool:
+    """Whether one compares a bare number with what has a unit, as 160 > m g: what the values decide says more."""
+    from lagrange.values.dimensions import dimension
+
+    known = {} if numbers is None else numbers.units
+    sums = ([*sp.Add.make_args(sp.expand(c.lhs)), *sp.Add.make_args(sp.expand(c.rhs))] for c in conditions)
+
+    def has_unit(x: sp.Expr) -> bool:
+        return dimension(x, known) not in (None, NO_DIMENSION)
+
+    return any(any(x.is_number and x != 0 for x in terms) and any(map(has_unit, terms)) for terms in sums)
 
 
 def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Equation]:
@@ -310,6 +326,7 @@ def _frequencies_about(
             short = [c for c in b.conditions if count_operations(c.lhs - c.rhs) <= LONGEST_WORDS]
             about = (*about, *((" where ", *sign_conditions(short)) if short else ()))
         known = known if open_ or not words else ()
+        words = () if known and _lack_units(open_, numbers) else words
         words = (*words, *(("; ",) if words and known else ()), *known)
         several = len(squares) > 1
         names = [f"{at.unknown.name}_{n}" if several else at.unknown.name for n in range(1, len(squares) + 1)]

@@ -14,8 +14,9 @@ particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r
 straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d, or from a pulley without
 mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight
 tells which, because a string that passes over a pulley holds it up. A constraint that is called a string, or is kept
-`by` one, may have terms of both signs, z − x = L. Where the coordinates do not show the ends, as in 2l sin θ = c or the
-distance of the end of a boom from a hook, the whole of what equals the length L is ℓ.
+`by` one, may have terms of both signs, z − x = L; if it shows no length at all, it pulls against the weight. Where
+the coordinates do not show the ends, as in 2l sin θ = c or the distance of the end of a boom from a hook, the whole
+of what equals the length L is ℓ.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
 
@@ -130,7 +131,17 @@ def single_force(
         return SingleForce(ForceKind.ALONG, sp.S.NegativeOne)
     if acts is None or placed is None or leads or by is Keeper.GEAR or not is_whole:
         return None
-    return _along_unit_vector(row, acts, placed, configuration, side or 1)
+    force = _along_unit_vector(row, acts, placed, configuration, side or 1)
+    is_cord = side is None and (by is Keeper.STRING or is_called_string(row.name))
+    return _pulling_up(force, configuration) if is_cord and force is not None else force
+
+
+def _pulling_up(force: SingleForce, configuration: Configuration) -> SingleForce:
+    """The force of a string by which no length is seen, y − (l/2) sin θ = 0: it is positive against the weight."""
+    [point] = (p for p in configuration.points if p.name == force.on)
+    if force.direction is None or _held_up(point, force.direction.fixed(), configuration) != -1:
+        return force
+    return replace(force, factor=-force.factor, direction=-force.direction)
 
 
 def _kept(row: Row, configuration: Configuration) -> Row | None:

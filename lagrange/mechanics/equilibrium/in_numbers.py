@@ -14,7 +14,7 @@ parameter occurs in one power, a p^n + b; a bound that the sign of the parameter
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 
 import mpmath
 import sympy as sp
@@ -28,7 +28,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded
-from lagrange.core.units import unit_called
+from lagrange.core.units import Dimension, unit_called
 from lagrange.mechanics.equilibrium.admissible_positions import CIRCLE, angles_with, as_measured, distances
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -96,6 +96,7 @@ class EquilibriaInNumbers:
     unknowns   the coordinates and unknown forces, in their order
     absent     the branches, by index, that have no point with these values
     numerical  the search for those that are not in closed form; its roots are among the positions
+    units      the dimensions that are known
     """
 
     unknowns: tuple[sp.Symbol, ...]
@@ -103,6 +104,7 @@ class EquilibriaInNumbers:
     positions: tuple[Position, ...]
     absent: tuple[int, ...] = ()
     numerical: NumericalEquilibria | None = None
+    units: Mapping[sp.Symbol, Dimension] = field(default_factory=dict)
 
 
 def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values: Values) -> EquilibriaInNumbers | None:
@@ -119,7 +121,7 @@ def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values
         there = [*_positions(n, b, stability, e, values)]
         positions += there
         absent += [] if there else [n]
-    return _ordered(e, positions, absent, numerical_equilibria(e, second, values))
+    return _ordered(e, positions, absent, numerical_equilibria(e, second, values), values)
 
 
 def oscillations_in_numbers(
@@ -152,11 +154,15 @@ def oscillations_in_numbers(
         there = [*_positions(n, b, stability, e, values, s)]
         positions += there
         absent += [] if there else [n]
-    return _ordered(e, positions, absent, numerical_equilibria(e, None, values))
+    return _ordered(e, positions, absent, numerical_equilibria(e, None, values), values)
 
 
 def _ordered(
-    e: Equilibrium, positions: Sequence[Position], absent: Sequence[int], numerical: NumericalEquilibria | None
+    e: Equilibrium,
+    positions: Sequence[Position],
+    absent: Sequence[int],
+    numerical: NumericalEquilibria | None,
+    values: Values,
 ) -> EquilibriaInNumbers | None:
     if not positions and not absent and numerical is None:
         return None
@@ -167,7 +173,7 @@ def _ordered(
             positions = [*positions, Position(None, root.coordinates, root.stability)]
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
     angles = frozenset(u for u in unknowns if u in e.solution.letters.angles)
-    return EquilibriaInNumbers(unknowns, angles, tuple(positions), tuple(absent), numerical)
+    return EquilibriaInNumbers(unknowns, angles, tuple(positions), tuple(absent), numerical, values.units)
 
 
 def _is_same(

@@ -514,26 +514,26 @@ def _check(
                 continue
             kind = "the rate of left minus right" if velocity and row.finite is not None else "left minus right"
             message = f"the initial state contradicts the constraint `{row.name}`"
-            label = f"{kind} would be {_with_number(left, values)}, not 0"
+            label = f"{kind} would be {_with_number(left, problem)}, not 0"
             help_ = "change the values, or leave out those that follow from the others"
             raise ProblemError(Diagnostic("initial-contradicts", message, last, label, help_))
     for e, v in conditions:
         left = e.xreplace(dict(known))
         if not left.free_symbols & moving and is_zero(left) is False and is_zero(left.xreplace(values)) is False:
             message = f"the initial value of `{v.symbol}` contradicts the others"
-            label = f"it would differ by {_with_number(left, values)}"
+            label = f"it would differ by {_with_number(left, problem)}"
             help_ = "change the values, or leave out those that follow from the others"
             raise ProblemError(Diagnostic("initial-contradicts", message, v.span, label, help_))
 
 
-def _with_number(e: sp.Expr, values: SymbolValues) -> str:
-    """`1/2 - l^2, that is -0.5`, where the letters have values."""
-    number, written = e.xreplace(dict(values)), text(tidy_quotient(e))
-    if not e.free_symbols or number.free_symbols:
-        return written
-    from lagrange.values.quantities import rounded
+def _with_number(e: sp.Expr, problem: Problem) -> str:
+    """`H - 3, that is 9 m`, where the letters have values."""
+    from lagrange.problem.values import values_of
 
-    return f"{written}, that is {text(rounded(number))}"
+    known = values_of(problem)
+    quantity = known.quantity(e) if known is not None and e.free_symbols else None
+    written = text(tidy_quotient(e))
+    return f"{written}, that is {text(quantity.shown())}" if quantity is not None and quantity.is_number else written
 
 
 def without(state: SymbolValues, letters: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:

@@ -230,3 +230,22 @@ def test_frequencies_about_several_steady_motions_that_are_places() -> None:
     assert "ω² = (W/A) cos β [C ψ̇ − W (A − C) cos β]    of small oscillations about φ = 0" in page
     assert "about φ = π" in page
     assert page.count("of small oscillations about") == 2
+
+
+SPRING_IN_NUMBERS = """title: Inverted pendulum on a spring
+parameters: {m: 10 kg, g: 9.81 m/s^2}
+coordinates: [theta]
+particles: {P: {mass: m, position: 0.4*sin(theta)*i + 0.4*cos(theta)*j}}
+forces: {spring: {potential: "400*(0.4*sin(theta))^2/2"}}
+gravity: -g*j
+find: [equilibrium, linearization]
+"""
+
+
+def test_stability_is_not_a_comparison_of_a_weight_with_a_number_without_a_unit() -> None:
+    """k l = 160 N is written without its unit: the values decide instead of 160 > m g."""
+    found = report(lagrange.loads(SPRING_IN_NUMBERS))
+    lines = terminal.text(found.derivation, found.notation, 200).splitlines()
+    box = [line for line in lines[: next(n for n, line in enumerate(lines) if "The system" in line)] if "│" in line]
+    assert not any(" stable where 160 > m g" in line for line in box)
+    assert sum("with the given values stable" in line for line in box) == 2

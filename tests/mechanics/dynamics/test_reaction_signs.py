@@ -522,6 +522,27 @@ def test_a_body_that_a_coordinate_leads_along_a_curve(equation: str, force: str)
     assert written.get("direction") in (None, "-l*sin(theta)*i/c + c*j/(2*l)")  # from B to A, if that is seen
 
 
+HUNG_BAR = """
+title: Bar that hangs by one end from a string and rests with the other
+parameters: [m, g, l]
+coordinates: [y, theta]
+bodies: {bar: {mass: m, inertia: m*l^2/12, position: y*j, angle: theta}}
+constraints:
+  left: {equation: EQUATION, by: string, reaction: T}
+  right: {equation: y + l/2*sin(theta) = 0, reaction: N}
+gravity: -g*j
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize("equation", ["y - l/2*sin(theta) = 0", "l/2*sin(theta) = y", "3*y = 3*l/2*sin(theta)"])
+def test_a_string_without_a_length_pulls_against_the_weight(equation: str) -> None:
+    """T = N = ½ m g at either end, on whichever side the height stands."""
+    written = as_object(report(read_problem(Source("bar.yaml", HUNG_BAR.replace("EQUATION", equation)))))["reactions"]
+    assert written["left"]["at_equilibrium"][0]["force"] == "g*m/2"
+    assert written["left"]["direction"] == "j"
+
+
 COLLAR = """
 title: A collar on a straight guide, tied to a point beside it
 parameters: {P: positive, h: positive, c: positive}

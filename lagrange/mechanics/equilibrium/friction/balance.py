@@ -17,7 +17,7 @@ or the constraints that they keep, say what the tensions act on.
 Reference: Euler, 1769; Eytelwein, 1808.
 
 What the constraints imply for the position in which a system with rough contacts rests: coordinates that they fix,
-and angles that they make equal.
+angles that they make equal, and lengths that they give by angles.
 """
 
 from __future__ import annotations
@@ -265,6 +265,14 @@ def tensions_between(problem: Problem, loading: Collection[sp.Symbol]) -> set[sp
 # Held positions
 
 
+@record
+class LengthsGiven:
+    """Lengths in terms of angles, and what must not vanish for that."""
+
+    values: Mapping[sp.Symbol, sp.Expr]
+    nonzero: tuple[sp.Expr, ...] = ()
+
+
 def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     """The coordinates that the constraints hold at a constant, of an angle the value with a positive cosine."""
     finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
@@ -357,3 +365,29 @@ def equal_angles(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
             if first in turning and second in turning and sp.expand(piece - rate * (waves[0] - waves[1])) == 0:
                 equal = {q: e.xreplace({second: first}) for q, e in equal.items()} | {second: first}
     return equal
+
+
+def lengths_by_angles(configuration: Configuration, known: Mapping[sp.Symbol, sp.Expr]) -> LengthsGiven:
+    """The coordinates that constraints linear in them give in terms of angles: y = (l/2) sin θ of a bar on the floor.
+
+    known  coordinates that are held already
+    """
+    coordinates = {*configuration.slots.coordinates}
+    values, nonzero = dict(known), list[sp.Expr]()
+    open_ = [f for f in configuration.finite_constraints if count_operations(f) <= LONGEST_SLACK]
+    turning = {q for f in open_ for g in f.atoms(sp.sin, sp.cos, sp.tan) for q in g.free_symbols & coordinates}
+    while True:
+        solvable = []
+        for f in open_:
+            left = shortest(f.xreplace(values))
+            lengths = (left.free_symbols & coordinates) - turning
+            slope = left.diff(*lengths) if len(lengths) == 1 else sp.S.Zero
+            if slope != 0 and slope.free_symbols <= turning:
+                [q] = lengths
+                solvable.append((not slope.is_number, str(q), q, slope, shortest(q - left / slope), f))
+        if not solvable:
+            return LengthsGiven({q: v for q, v in values.items() if q not in known}, tuple(nonzero))
+        _, _, q, slope, value, used = min(solvable, key=lambda s: s[:2])
+        values = {p: shortest(v.xreplace({q: value})) for p, v in values.items()} | {q: value}
+        nonzero += [] if slope.is_number else [slope]
+        open_.remove(used)

@@ -42,11 +42,13 @@ from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
 from lagrange.mechanics.equilibrium.friction.balance import (
     BeltLaw,
     ForceBalance,
+    LengthsGiven,
     RoughContact,
     SolvedBalance,
     belt_laws,
     equal_angles,
     held_coordinates,
+    lengths_by_angles,
     sought_forces,
     tensions_between,
 )
@@ -98,6 +100,7 @@ class AtRest:
     where        what must be positive for the conditions to be these, if they are the limits of one force
     partly       whether the cases are those that were seen at drawn numbers, so that there may be others
     equal        angles that the constraints make equal to others, if both are acute
+    lengths      what constraints give in terms of angles, where the balance contains it
     unexamined   what is positive or negative in the cases, and may perhaps vanish as well
     """
 
@@ -116,6 +119,7 @@ class AtRest:
     partly: bool = False
     equal: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     unexamined: tuple[sp.Expr, ...] = ()
+    lengths: LengthsGiven = LengthsGiven({})
 
     @property
     def name(self) -> str:
@@ -284,9 +288,22 @@ def _at_rest(
     """The same, with conditions about these unknown forces; the others are eliminated."""
     equal = equal_angles(configuration)
     held = {**equal, **held_coordinates(configuration)}
-    contacts = tuple(c.at(held) for c in rough_contacts(problem, newton, original, configuration))
+    touching = rough_contacts(problem, newton, original, configuration)
     belts = belt_laws(problem, newton, configuration)
-    system = ForceBalance(newton, contacts, original, configuration, work, problem.unknowns, sought, held)
+
+    def balanced(position: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[RoughContact, ...], ForceBalance]:
+        contacts = tuple(c.at(position) for c in touching)
+        return contacts, ForceBalance(
+            newton, contacts, original, configuration, work, problem.unknowns, sought, position
+        )
+
+    contacts, system = balanced(held)
+    lengths = lengths_by_angles(configuration, held)
+    if any(e.free_symbols & lengths.values.keys() for row in system.rows for e in row):
+        held = {q: v.xreplace(dict(lengths.values)) for q, v in held.items()} | dict(lengths.values)
+        contacts, system = balanced(held)
+    else:
+        lengths = LengthsGiven({})
     wanted = SolvedFor(sought, tuple(c.coefficient for c in contacts), load_parameters(original, problem.unknowns))
     angles = {p.symbol for p in problem.parameters}
     positions = angles | {*configuration.slots.coordinates}
@@ -313,6 +330,7 @@ def _at_rest(
             where,
             partly,
             {q: e for q, e in equal.items() if held[q] == e},
+            lengths=lengths,
         )
 
     if len(contacts) >= CONTACTS_OF_LIMITS and not belts and len(system.sought) == 1:

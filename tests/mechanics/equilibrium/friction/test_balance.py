@@ -91,3 +91,29 @@ def test_tongs_are_held_where_their_vectors_are_simple(problem: Read) -> None:
     read = problem(TONGS)
     held = held_coordinates(file_configuration(read, classify(read).constrained))
     assert {q.name: v for q, v in held.items()} == {"x": 0, "y": 0, "theta": 0}
+
+
+STEP = """title: Bar leaning over a step
+parameters: [m, g, l, h, mu]
+coordinates: [x, y, theta]
+bodies: {bar: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  floor: {equation: "y - l/2*sin(theta) >= 0", reaction: N_A}
+  step: {equation: "x*sin(theta) + (h - y)*cos(theta) <= 0", reaction: N_B}
+gravity: -g*j
+forces:
+  rub: {friction: mu, static: mu, constraint: floor, on: bar, at: r_bar - l/2*(cos(theta)*i + sin(theta)*j)}
+find: equilibrium
+answers: {rest: ["l*sin(theta)^2*cos(theta) <= mu*(2*h - l*sin(theta)*cos(theta)^2)"]}
+"""
+
+
+def test_lengths_that_the_constraints_give_are_put_into_the_conditions(problem: Read) -> None:
+    """N_B h/sin θ = ½ m g l cos θ about the foot; the place of the mass centre is in no condition."""
+    made = report(problem(STEP))
+    assert [v.verdict.value for v in made.answers] == ["equivalent"]
+    [rest] = (v.at_rest for v in made.solution.views if v.at_rest is not None)
+    assert {q.name for q in rest.lengths.values} == {"x", "y"}
+    assert [str(e) for e in rest.lengths.nonzero] == ["sin(theta)"]
+    [[condition]] = rest.cases
+    assert {s.name for s in (condition.right - condition.left).free_symbols} == {"l", "h", "mu", "theta"}

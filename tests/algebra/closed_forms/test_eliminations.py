@@ -1,0 +1,61 @@
+"""Eliminations, each on the system for which it is there; the solutions are tried in numbers."""
+
+from __future__ import annotations
+
+from math import isclose
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned
+from lagrange.algebra.closed_forms.unit_circle import TrigLetters
+
+a, b = sp.symbols("a b", positive=True)
+x, y, alpha, beta = sp.symbols("x y alpha beta", real=True)
+
+
+def lettered(*equations: sp.Expr) -> tuple[State, TrigLetters]:
+    letters = TrigLetters(equations, (x, y, alpha, beta))
+    return State(tuple(letters.read(e) for e in equations)), letters
+
+
+def test_a_coefficient_that_may_vanish_is_a_state_of_its_own() -> None:
+    state, letters = lettered(y * x - a)
+    divided, vanishing = linear(state, letters, (x,), with_unknowns=True)
+    assert divided.values == {x: a / y}
+    assert divided.nonzero == (y,)
+    assert vanishing.equations == (y, -a)
+
+
+def test_an_angle_that_another_one_gives() -> None:
+    [state] = turned(*lettered(alpha - beta - a, sp.sin(alpha) - b * sp.sin(beta)))
+    assert state.values[alpha] == beta + a
+
+
+def test_parallel_rods() -> None:
+    states = parallel(*lettered(sp.sin(alpha) * sp.cos(beta) - sp.cos(alpha) * sp.sin(beta)))
+    assert [s.values[alpha] for s in states] == [beta, beta + sp.pi]
+
+
+def test_two_rods_with_letters_stay_a_triangle() -> None:
+    assert not on_circle(*lettered(a * sp.cos(alpha) - b * sp.cos(beta) - 1, a * sp.sin(alpha) - b * sp.sin(beta)))
+
+
+@pytest.mark.parametrize(("long", "short", "base", "number"), [(3, 2, 2, 2), (2, 1, 1, 1), (3, 1, 1, 0), (4, 3, 2, 2)])
+def test_two_rods_between_hinges(long: int, short: int, base: int, number: int) -> None:
+    """Two positions, one where the rods are in line, none where they are too short."""
+    equations = [
+        long * sp.cos(alpha) - short * sp.cos(beta) - base,
+        long * sp.sin(alpha) - short * sp.sin(beta),
+    ]
+    found = solutions(equations, [alpha, beta])
+    assert found.solved
+    points = [p for branch in found.branches for p in branch.points]
+    assert len(points) == number
+    for p in points:
+        (c, s), (cosine, sine) = ([float(p[x]) for x in found.letters.angles[u].letters] for u in (alpha, beta))
+        assert isclose(c**2 + s**2, 1)
+        assert isclose(cosine**2 + sine**2, 1)
+        assert isclose(long * c - short * cosine, base, abs_tol=1e-9)
+        assert isclose(long * s, short * sine, abs_tol=1e-9)
