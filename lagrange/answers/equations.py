@@ -449,30 +449,24 @@ def _is_settled(explanations: Mapping[int, Explanation], attempt: _Attempt) -> b
     """
     if explanations is _NONE:
         return False
+    from lagrange.answers.models.table import AS_BY_A_CONVENTION
+
     models = attempt.candidate.models
     if models.mechanics is not None and models.is_free:
-        return not any(e.whole and e.name in _as_by_a_convention() for e in explanations.values())
-    if not explanations:
-        return False
-    return any(e.whole and e.name not in _as_by_a_convention() for e in explanations.values())
+        return not any(e.whole and e.name in AS_BY_A_CONVENTION for e in explanations.values())
+    return any(e.whole and e.name not in AS_BY_A_CONVENTION for e in explanations.values())
 
 
 _NONE: dict[int, Explanation] = {}
 """Where no explanation is sought."""
 
 
-def _as_by_a_convention() -> frozenset[str]:
-    from lagrange.answers.models.table import AS_BY_A_CONVENTION
-
-    return AS_BY_A_CONVENTION
-
-
-def _candidate_with_parts(equations: Sequence[sp.Expr], attempt: _Attempt, reference: Reference) -> ReferenceCandidate:
+def _candidate_with_parts(
+    equations: Sequence[sp.Expr], attempt: _Attempt, reference: Reference, *, rough: int
+) -> ReferenceCandidate:
     """The system of an attempt; if its parts are not known, as where forces of constraints are stated in the
-    coordinates of a choice, and several contacts are rough, another one that has all their symbols.
-
-    Forces of constraints are compared singly otherwise, which tells more of one.
-    """
+    coordinates of a choice, another one that has all their symbols, and at least so many rough contacts: with fewer
+    than two, forces of constraints are compared singly first, which tells more of one."""
     own = attempt.candidate
     used = {base(s) for e in equations for s in e.free_symbols}
     moving = {*reference.scope.slots.coordinates, *(m for c in reference.candidates for m in c.multipliers)}
@@ -482,7 +476,7 @@ def _candidate_with_parts(equations: Sequence[sp.Expr], attempt: _Attempt, refer
         known = {*c.configuration.slots.coordinates, *c.multipliers}
         if not (used & moving <= known and {*own.multipliers} <= known):
             continue
-        if c.models.mechanics is not None and len(c.models.mechanics.frictions) > 1:
+        if c.models.mechanics is not None and len(c.models.mechanics.frictions) >= rough:
             return c
     return own
 
@@ -504,16 +498,22 @@ def _explanations(attempt: _Attempt, reference: Reference) -> dict[int, Explanat
     standings = attempt.standings
     if any(Standing.NOT_LINEAR in several for several in standings):
         return _NONE
-    wrong = [n for n, several in enumerate(standings) if Standing.CONTRADICTS in several]
     components = [(n, e) for n, es in enumerate(attempt.components) for e in es]
-    bad = [m for m, (n, _) in enumerate(components) if n in wrong and _flat(standings)[m] is Standing.CONTRADICTS]
+    bad = [m for m, standing in enumerate(_flat(standings)) if standing is Standing.CONTRADICTS]
     if not bad:
         return _NONE
     from lagrange.answers.models.search import explained
 
     equations = [e for _, e in components]
-    own = _candidate_with_parts(equations, attempt, reference)
+    own = _candidate_with_parts(equations, attempt, reference, rough=2)
     explanations = explained(equations, bad, own.models)
+    used = {s for m in bad for s in equations[m].free_symbols}
+    if own.models.mechanics is None and not used.isdisjoint(reference.scope.slots.accelerations):
+        other = _candidate_with_parts(
+            equations, attempt, reference, rough=0
+        )  # one mistake in the motion and the forces
+        together = explained(equations, bad, other.models)
+        explanations = together if all(e is not None and e.whole for e in together) else explanations
     if not any(explanations) and (open_ := _with_open_forces(own, reference)) is not None:
         explanations = explained(equations, bad, open_.models)
     return {components[m][0]: e for m, e in reversed(list(zip(bad, explanations, strict=True))) if e is not None}

@@ -221,13 +221,20 @@ class Examiner:
             answer = [f for f in answer if f not in laws]
             if len(answer) == len(equations):
                 return self._checked(equations)
+        from lagrange.answers.friction.forces_of_working import without_forces
+
         alone = asks_for_rest_alone(solution)
         inequalities = tuple(f for f in answer if is_inequality(f))
         defined = self._defined_beside(equations) if inequalities else {}
+        working = without_forces(inequalities, equations, self._statics_reference) if alone else None
+        if working is not None:
+            inequalities, equations, defined = working.conditions, working.equations, {**defined, **working.forces}
+            answer = [*inequalities, *equations]
         if defined:  # with the angle of friction, tan(rho) = mu
             equations = tuple(f for f in equations if not _is_definition(f, defined))
             answer = [*inequalities, *equations]
         rest = compared_rest(solution, answer if alone else inequalities, defined)
+        rest = replace(rest, notes=(*rest.notes, *(working.notes if working else ())))
         if alone or not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))
         judged = self._checked(equations)

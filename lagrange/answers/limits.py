@@ -168,6 +168,8 @@ two digits are rounded by 5 % at most. A limit that is wrong by more is found at
 MOST_NUMERICAL_ROOTS = 4
 """Roots of a condition of equilibrium that a stated position in numbers is compared with."""
 
+MOST_WORKING_FORCES = 8
+"""Forces under names of its own in the working of an answer about rest."""
 MOST_WAYS_TO_REST = 8
 """Sets of conditions of rest with `or` between them: three conditions with two cases each."""
 

@@ -175,7 +175,7 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
             yield _part(fragment, begins, begins + len(kept))
 
 
-_BETWEEN_STATEMENTS = re.compile(r";|==?>|⇒|⟹|→|->")
+_BETWEEN_STATEMENTS = re.compile(r";|==?>|⇒|⟹|→|->|(?<=[\w)$}])\.\s+(?=[A-Z][a-z]*\s)")
 
 
 def _check_size(fragment: Fragment) -> None:

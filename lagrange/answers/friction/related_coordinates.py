@@ -7,10 +7,14 @@ gives in terms of the others is put in.
 
 from __future__ import annotations
 
+import math
+import random
 from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.answers.limits import CLEAR_SLACK, FIRST_REST_SAMPLES
 from lagrange.answers.results.at_random import approximate, root_near
 from lagrange.mechanics.constraints.kinematics import Configuration
 
@@ -52,6 +56,29 @@ def on_relations(point: Point, constraints: Sequence[sp.Expr]) -> Point | None:
     q = _coordinates(f)[-1]
     root = root_near(lambda v: approximate(f, {**point, q: v}), point[q])
     return None if root is None else {**point, q: root}
+
+
+def restates_constraints(e: sp.Expr, configuration: Configuration, values: Mapping[sp.Symbol, sp.Rational]) -> bool:
+    """Whether an expression vanishes because of the constraints, at acute angles: θ_1 − θ_2 of two equal legs."""
+    constraints = relations([e], configuration, values)
+    rule = dependent(constraints)
+    own = e.xreplace(rule)
+    left = [f for c in constraints if (f := sp.expand(c.xreplace(rule))) != 0]
+    if not constraints or len(left) > 1:
+        return False
+    if not left:
+        return is_zero(own) is True
+    draw, held, [f] = random.Random(4), 0, left
+    for _ in range(FIRST_REST_SAMPLES):
+        point = {s: draw.uniform(0.05, 1.5) for s in sorted(f.free_symbols | own.free_symbols, key=str)}
+        q = _coordinates(f)[-1]
+        root = root_near(lambda v, p=point, q=q: approximate(f, {**p, q: v}), point[q])  # type: ignore[misc]
+        if root is None or not 0 < root < math.pi / 2:
+            continue
+        if abs(approximate(own, {**point, q: root})) > CLEAR_SLACK:
+            return False
+        held += 1
+    return held > 1
 
 
 def _coordinates(e: sp.Expr) -> list[sp.Symbol]:

@@ -18,7 +18,7 @@ from itertools import islice, product
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.answers.friction.related_coordinates import dependent, on_relations, relations
+from lagrange.answers.friction.related_coordinates import dependent, on_relations, relations, restates_constraints
 from lagrange.answers.limits import BESIDE_REST, CLEAR_SLACK, FIRST_REST_SAMPLES, MOST_WAYS_TO_REST, REST_SAMPLES
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
@@ -147,8 +147,8 @@ def _explained(
     return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 
 
-_RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
-_A_NUMBER = re.compile(r"[\s\d.]+[\s$]*")
+_RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=|≈|\\approx(?![A-Za-z])")
+_EQUAL = re.compile(r"=|≈|\\approx")
 _AND = re.compile(
     r",|;|\b(?:and|und)\b|(?<=\s)et(?=\s)|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*(?:and|und|et)\s*\}|\\q?quad(?![A-Za-z])"
 )
@@ -164,11 +164,14 @@ def _each(fragment: Fragment) -> Iterator[Fragment]:
         signs = [*_RELATION.finditer(part.text)]
         bounds = [0, *(m.end() for m in signs), len(part.text)]
         for n in range(max(1, len(signs))):
-            if n and signs[n][0] == "=" and _A_NUMBER.fullmatch(part.text[signs[n].end() : bounds[n + 2]]):
-                continue  # mu >= log(50)/(4 pi) = 0.311: the number says again what stands before it
             start, end = bounds[n], signs[n + 1].start() if n + 1 < len(signs) else len(part.text)
-            piece = cut(part, start, end)
-            yield from _without_extremes(piece)
+            draft = Draft(part)
+            bound = next((k for k in range(n, -1, -1) if not _EQUAL.fullmatch(signs[k][0])), n) if signs else n
+            if bound < n:  # mu >= log(50)/(4 pi) = 0.311 is also mu >= 0.311
+                start = bounds[bound]
+                draft.apply([(signs[bound].end(), signs[n].end(), " ")])
+            draft.keep(start, end - len(part.text) + len(draft.text))
+            yield from _without_extremes(draft.finished(latex=is_latex(part)))
 
 
 def pieces(fragment: Fragment, separator: re.Pattern[str]) -> list[Fragment]:
@@ -255,6 +258,9 @@ def _in_parts(
     ]
     always = [s for s in given if not s.equation and Signs(_symbols(s.slack)).of(s.slack) == 1]  # 0 <= P
     given = [s for s in given if s not in always] or given
+    given = [
+        s for s in given if not (s.equation and restates_constraints(s.slack, rest.configuration, values))
+    ] or given
     cases = [
         [
             *(

@@ -181,8 +181,8 @@ def _in_other_shape(text: str) -> list[str]:
     """The equations that an equation between lists, or between ratios, states; that for `T_max` of one for `max(T)`."""
     if len(text) > MAX_ANSWER_CHARACTERS:
         return []
-    named = name_of_extreme(text)
-    return tuples_of(text) or rows_of_lists(text) or ratios_of(text) or ([named] if named != text else [])
+    named = [name for name in (name_of_extreme(text),) if name != text]
+    return tuples_of(text) or rows_of_lists(text) or ratios_of(text) or named
 
 
 def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
@@ -473,9 +473,8 @@ def _part(fragment: Fragment, start: int, end: int) -> Fragment:
 
 def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
     part = _part(fragment, start, end)
-    if isinstance(part, OneEquation):
-        return replace(part, beside=beside)
-    return OneEquation(part.text, part.whole, part.start, beside=beside)
+    made = part if isinstance(part, OneEquation) else OneEquation(part.text, part.whole, part.start)
+    return replace(made, beside=beside)
 
 
 def in_pairs(fragment: Fragment) -> list[Draft]:
@@ -516,12 +515,8 @@ def separated_lines(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
 
 def with_lists_written_out(answer: Sequence[Fragment]) -> list[Fragment]:
     """`A*[x''; y''] = rhs`, where A and rhs are lists that other lines define, as one equation a row."""
-    made = rows_with_names([f.text for f in answer])
-    return [row for f, rows in zip(answer, made, strict=True) for row in ([f] if rows is None else _in_rows(f, rows))]
-
-
-def _in_rows(fragment: Fragment, rows: Sequence[str]) -> list[Fragment]:
-    return [_rewritten(fragment, row) for row in rows]
+    made = zip(answer, rows_with_names([f.text for f in answer]), strict=True)
+    return [row for f, rows in made for row in ([f] if rows is None else [_rewritten(f, r) for r in rows])]
 
 
 def condition_alone(fragment: Fragment) -> Fragment:
@@ -562,7 +557,8 @@ _CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 _BETWEEN_CONDITIONS = re.compile(
-    r"[,;]|\bi\.\s?e\.|\bor equivalently\b|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
+    r"[,;]|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"
+    r"|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
 )
 
 
@@ -580,6 +576,9 @@ _BESIDE_CONDITION = re.compile(r"(?<=[\s,;$])(?:with|where|wobei|mit|avec|où)\s
 def _separated(fragment: Fragment) -> list[Fragment]:
     if isinstance(fragment, OneEquation):
         return [fragment]
+    parts = conditions_of(fragment) if "\n" not in fragment.text and is_inequality(fragment) else []
+    if sum(map(is_inequality, parts)) > 1:  # H <= mu N, so tan(theta) <= mu
+        return [e for p in parts for e in ([p] if is_inequality(p) else _separated(p))]
     beside = cuts(fragment.text, _BESIDE_CONDITION)
     if len(beside) > 1 and "\n" not in fragment.text and is_inequality(first := _part(fragment, *beside[0])):
         return [first, *(e for place in beside[1:] for e in _separated(_part(fragment, *place)))]
