@@ -165,7 +165,7 @@ def _multiples(velocity: sp.Symbol, known: sp.Expr, values: Values) -> Iterator[
 def _printed_length(product: sp.Expr) -> int:
     """The operations of a product whose square roots are printed under one."""
     roots = sum(f.is_Pow and abs(f.exp) == sp.S.Half for f in sp.Mul.make_args(product))
-    return count_operations(product) - 2 * max(0, roots - 1)
+    return int(count_operations(product) - 2 * max(0, roots - 1))
 
 
 # Stated names
