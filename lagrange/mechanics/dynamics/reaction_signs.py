@@ -132,16 +132,11 @@ def single_force(
     if acts is None or placed is None or leads or by is Keeper.GEAR or not is_whole:
         return None
     force = _along_unit_vector(row, acts, placed, configuration, side or 1)
-    is_cord = side is None and (by is Keeper.STRING or is_called_string(row.name))
-    return _pulling_up(force, configuration) if is_cord and force is not None else force
-
-
-def _pulling_up(force: SingleForce, configuration: Configuration) -> SingleForce:
-    """The force of a string by which no length is seen, y − (l/2) sin θ = 0: it is positive against the weight."""
-    [point] = (p for p in configuration.points if p.name == force.on)
-    if force.direction is None or _held_up(point, force.direction.fixed(), configuration) != -1:
+    if force is None or side is not None or not (by is Keeper.STRING or is_called_string(row.name)):
         return force
-    return replace(force, factor=-force.factor, direction=-force.direction)
+    falling = (_held_up(p, force.direction.fixed(), configuration) == -1
+               for p in configuration.points if p.name == force.on and force.direction is not None)  # fmt: skip
+    return _along_unit_vector(row, acts, placed, configuration, -1) if any(falling) else force
 
 
 def _kept(row: Row, configuration: Configuration) -> Row | None:
@@ -393,18 +388,12 @@ def _between_two(
 
 def _is_seen(constant: sp.Expr, lengths: Sequence[Length]) -> bool:
     """Whether an equation shows a string: a distance between two points, or equal shares of several lengths."""
-    if not all(x.shown for x in lengths):
-        return False
-    if len(lengths) == 1:
-        return True
-    return constant != 0 and len({x.share for x in lengths}) == 1
+    alike = constant != 0 and len({x.share for x in lengths}) == 1
+    return all(x.shown for x in lengths) and (len(lengths) == 1 or alike)
 
 
 def is_called_string(name: str) -> bool:
-    """Whether a constraint is called a string, `rope_1` or `cords`; z − x = L does not show that x is no length.
-
-    One `thread` may be that of a screw.
-    """
+    """Whether a constraint is called a string, `rope_1` or `cords`; one `thread` may be that of a screw."""
     first = name.partition("_")[0].rstrip("0123456789")
     return first == "threads" or first.removesuffix("s") in ("string", "rope", "cable", "cord")
 

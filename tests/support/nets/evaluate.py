@@ -32,7 +32,7 @@ PLAIN = {
 OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul}
 COMPARED = re.compile(r"\s(=|≠|≥|≤|>|<|!=|>=|<=)\s")
 NAME = re.compile(r"(?<![\w.])[^\W\d]\w*'*")
-FUNCTIONS = {*PLAIN, "cot", "sec", "csc", "atan2", "dot", "cross", "norm", "min", "max"}
+FUNCTIONS = {*PLAIN, "atanh", "cot", "sec", "csc", "atan2", "dot", "cross", "norm", "min", "max"}
 
 
 class NotReadError(Exception):
@@ -110,6 +110,8 @@ def _called(name: str, x: list[Any]) -> Any:
             return _called("sin", x) / _called("cos", x)
         case "tanh" if isinstance(x[0], Taylor):
             return _called("sinh", x) / _called("cosh", x)
+        case "atanh":  # of a real integral, which goes on beyond 1
+            return 0.5 * _called("log", [_called("abs", [_quotient(1 + x[0], 1 - x[0])])])
         case "cot":
             return _quotient(_called("cos", x), _called("sin", x))
         case "sec" | "csc":
