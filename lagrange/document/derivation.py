@@ -342,6 +342,7 @@ class Purpose(Enum):
     MOMENTUM = auto()  # conserved, linear or angular
     AT_REST = auto()
     SMALL_MOTION = auto()
+    EXISTS = auto()  # By (24), such a position exists if
     LIMIT = auto()
     UNITS = auto()
     # of words in a paragraph

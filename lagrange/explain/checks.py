@@ -124,8 +124,17 @@ def _stated(solution: Solution) -> dict[sp.Symbol, Parameter]:
 
 
 def _assignments(values: Mapping[sp.Symbol, sp.Expr], stated: Mapping[sp.Symbol, Parameter]) -> tuple[Part, ...]:
-    """`g = 9.81, α = 30° and x = 1/2`: values of the file as it has them, drawn ones as fractions."""
-    return listed(math(s, _as_stated(stated[s]) if s in stated else v) for s, v in values.items())
+    """`g = 9.81, α = 30° and x = 1/2`: values of the file as it has them, others as short decimals or fractions."""
+    return listed(math(s, _as_stated(stated[s]) if s in stated else _shortly(v)) for s, v in values.items())
+
+
+def _shortly(value: sp.Expr) -> sp.Expr:
+    """30° for π/6, 0.5 for 1/2, and 2/3 as it is."""
+    if value.has(sp.pi):
+        from lagrange.values.quantities import degrees
+
+        return degrees(value)
+    return in_decimals(value)
 
 
 def _as_stated(parameter: Parameter) -> sp.Expr:

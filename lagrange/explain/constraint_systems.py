@@ -193,6 +193,7 @@ def explain_losses(classification: Classification, *, excluded: bool = True) -> 
     sentences = []
     left_out: list[Part] = []
     alike: dict[tuple[str, int | None], list[RankLoss]] = {}
+    finite = {c.row.name for c in classification.constraints if c.row.finite is not None}
     for loss in classification.losses[:SHOWN_LOSSES]:
         if loss.excluded and not excluded:
             continue
@@ -210,6 +211,8 @@ def explain_losses(classification: Classification, *, excluded: bool = True) -> 
         rank = _rank_there(classification, first)
         if first.vanishing:
             words: tuple[Part, ...] = (", the form ", Ref(f"form-{first.vanishing}"), " vanishes and restricts nothing")
+            if first.vanishing in finite:
+                words = (*words, "; ", Ref(f"constraint-{first.vanishing}"), " itself still holds")
         else:
             words = (", the constraints are not independent",)
         sentences.append(prose("Where ", *where, *words, *rank, "."))

@@ -444,7 +444,7 @@ def explain_classification(
     sentences = (
         prose(*words),
         explain_time(classification),
-        *explain_one_sided(constraints),
+        *(explain_one_sided(constraints) if excluded else ()),
         *explain_redundant(classification, form_letter(taken)),
         *explain_losses(classification, excluded=excluded),
     )
@@ -478,12 +478,12 @@ def explain_time(classification: Classification) -> Prose:
             )
             return prose(words, Emphasis("scleronomic"), f", though not catastatic, because {rest}.")
         return prose(words, Emphasis("scleronomic"), ".")
-    unless = _only_if(classification)
+    unless = only_if(classification)
     words = f"Time appears explicitly in {_withtime_of(classification)}, so the system is "
     return prose(words, Emphasis("rheonomic"), *unless, ".")
 
 
-def _only_if(classification: Classification) -> tuple[Part, ...]:
+def only_if(classification: Classification) -> tuple[Part, ...]:
     """`, if c ≠ 0`, where the only terms with time in the finite form have a parameter that may be zero."""
     timed = [c for c in classification.constraints if c.depends_on_time]
     if any(c.contains_time for c in timed) or classification.moving or classification.driven or len(timed) != 1:

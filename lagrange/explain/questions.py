@@ -394,6 +394,8 @@ def _how(asked: Asked) -> tuple[Part, ...]:
     if asked.route is Route.SOLUTION and not asked.solutions:
         return ("The equation of motion can be integrated. For the initial state there are several cases, and in "
                 "each of them, as substitution shows,",)  # fmt: skip
+    if asked.route is Route.SOLUTION and any(c.lhs == t or c.rhs == t for c in asked.question.when):
+        return ("At that time",)
     if asked.question.by is not None and asked.route is Route.INTEGRALS and not _has_velocities(asked):
         return ("Solving this for the quantity gives",)
     if asked.question.by is not None:
@@ -428,6 +430,8 @@ def _dropped(b: AnswerBranch, because: Reason, asked: Asked) -> tuple[Part, ...]
         case Reason.INITIAL:
             return (*solution, " is the initial state itself.")
         case Reason.ARRIVAL:
+            if opposite:
+                return ("Of the two signs this one belongs to the first arrival.",)
             return (*solution, " has the wrong sense: a coordinate that reaches a value for the first "
                     "time moves towards it.")  # fmt: skip
         case Reason.TURNING:

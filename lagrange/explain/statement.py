@@ -138,7 +138,7 @@ def raised(unit: str) -> str:
 _ASSUMED = {
     Assumption.POSITIVE: "positive",
     Assumption.NONNEGATIVE: "positive or zero",
-    Assumption.REAL: "of either sign",
+    Assumption.REAL: "of either sign or zero",
     Assumption.SIGN: "+1 or −1",
     Assumption.ACUTE: "acute",
 }

@@ -138,3 +138,6 @@ LARGEST_DENOMINATOR = 100
 CLEARLY_REAL = 1e-18
 # Operations of a reaction in terms of accelerations.
 LONGEST_BY_ACCELERATIONS = 200
+
+LONGEST_PROJECTION = 20
+"""Operations of one side of Newton's law along a reaction, beside the reaction itself."""

@@ -77,8 +77,8 @@ class ContactEnds:
 class ResultMeaning:
     """What the result says in one set of coordinates.
 
-    small  rest and small motion of one or two degrees of freedom
-    terms  two terms of the first equation of motion, and the unit that all of its terms have
+    small  rest and small motion of one or two degrees of freedom; nothing where questions are about one motion
+    terms  two terms of the first equation of motion, g/l like θ'', and the unit that all of its terms have
     constant  the accelerations, where all of them are constant; those that are, under a nonlinear constraint
     turning   two coordinates that run on a circle, or whose oscillation turns
     freed     the equations of motion without the coordinates whose velocities constraints give
@@ -114,7 +114,7 @@ def meaning(solution: Solution) -> ResultMeaning | None:
     return ResultMeaning(
         view,
         _small(solution, view),
-        tuple(limiting_cases(solution, view, reactions, pushing)),
+        () if solution.problem.questions else tuple(limiting_cases(solution, view, reactions, pushing)),
         tuple(_parts(solution, view, reactions)),
         _units(solution, view),
         constant,
@@ -145,7 +145,7 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     stated = view.linearization is not None or view.equilibrium is not None
     if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) > MOST_AT_REST:
         return None
-    if len(motion.equations) > 1 and solution.problem.initial:
+    if solution.problem.initial and (len(motion.equations) > 1 or solution.problem.questions):
         return None  # it is about one motion
     if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
         return None
@@ -301,6 +301,8 @@ def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, s
     if not first.free_symbols & accelerations or others[-1].free_symbols & accelerations:
         return None
     first, other = (-e if e.could_extract_minus_sign() else e for e in (first, others[-1]))
+    if first not in accelerations or sp.fraction(other)[1] == 1:
+        return None  # m s'' and m g sin θ, s'' and g sin θ: seen at a glance
     return first, other, unit_of_dimension(one)
 
 

@@ -40,7 +40,8 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
         nonzero = series((math(e, ZERO, relation="≠"),) for e in rest.lengths.nonzero)
         body.append(prose("The constraints give ", *pairs, *((", where ", *nonzero) if nonzero else ()), "."))
     if rest.balance:
-        body.append(prose("At rest the forces balance for every coordinate:"))
+        moments = " and moments" if rest.configuration.rotations else ""
+        body.append(prose(f"At rest the forces{moments} balance:"))
         body.append(
             display(*(Equation((e, ZERO), label=f"rest-balance{suffix}-{q.name}") for q, e in rest.balance.items()))
         )
@@ -73,15 +74,15 @@ def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Bloc
         bound = c.coefficient * (c.resultant({f: f for f, _ in c.units}) if c.also else c.normal * _magnitude(c))
         if len(c.components) == 1:
             [force], [tangent] = c.components, c.tangents
-            begin = f"At rest {name} is an unknown force " if n == 0 else f"Likewise {name} is a force "
+            begin = f"At rest {name} is a force " if n == 0 else f"Likewise {name} is a force "
             first: tuple[Part, ...] = (begin, math(force), " along ", math(tangent))
             size: sp.Expr = sp.Abs(force)
         else:
-            first = (f"At rest {name} is an unknown force with the components ", *listed(map(math, c.components)))
+            first = (f"At rest {name} is a force with the components ", *listed(map(math, c.components)))
             size = sp.sqrt(sp.Add(*(f**2 for f in c.components)))
         opposite = f", with the opposite on {the(c.opposite)}" if c.opposite else ""
         pressed = f"resultant of the {len(c.units)} reactions" if c.also else "normal force"
-        limit = f", of at most the coefficient of static friction times the {pressed}: " if n == 0 else ", with "
+        limit = f", at most the coefficient of static friction times the {pressed}: " if n == 0 else ", with "
         yield prose(*first, opposite, limit,
                     math(size, bound, relation="≤"), ".")  # fmt: skip
     pressing = [r for r in newton.reactions if r.constraint.side is not None]

@@ -33,7 +33,7 @@ from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.dynamics.contact.touching import HeldBody, held_bodies
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
-from lagrange.mechanics.rewriting.factors import has_one_sign, with_common_factor
+from lagrange.mechanics.rewriting.factors import with_common_factor
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.signs import SignCondition
@@ -146,38 +146,25 @@ def _presumed(r: Reaction) -> tuple[Part, ...]:
 
 def explain_held_bodies(newton: Newton, at_rest: bool = False) -> Iterator[Block]:
     """What else acts on the bodies, along which line, and why it is in no equation."""
-    bodies = [*held_bodies(newton, at_rest)]
-    last = max((n for n, held in enumerate(bodies) if _may_change_sign(held)), default=None)
-    for n, held in enumerate(bodies):
-        yield from _held(held, says_contact=n == last)
+    for held in held_bodies(newton, at_rest):
+        yield from _held(held)
 
 
-def _may_change_sign(held: HeldBody) -> bool:
-    shown = held.along is not None and held.value is not None and count_operations(held.value) <= LONGEST_REACTION
-    return shown and not has_one_sign(with_common_factor(held.value))
-
-
-def _held(held: HeldBody, says_contact: bool) -> Iterator[Block]:
+def _held(held: HeldBody) -> Iterator[Block]:
     body, value = the(held.body), held.value
     if held.along is None:
         yield prose(f"The forces that keep {body} on its path are normal to it: they do no virtual work and are not "
                     "shown.")  # fmt: skip
         return
-    begin: tuple[Part, ...] = (
-        f"The coordinates allow no motion of {body} along ",
-        math(held.along),
-        ". The force that ",
-    )
+    begin: tuple[Part, ...] = (f"The force that keeps {body} from moving along ", math(held.along))
     if value is None or count_operations(value) > LONGEST_REACTION:
-        yield prose(*begin, "prevents it does no virtual work and is not shown.")
+        yield prose(*begin, " does no virtual work and is not shown.")
         return
     value = with_common_factor(value)
-    idle = "; it does no virtual work and is in none of the equations above."
-    contact = " If it is that of a surface, contact lasts as long as the surface pushes."
-    pushes = (contact,) if says_contact else ()
     if count_operations(value) <= LONGEST_IN_TEXT:
-        yield prose(*begin, "prevents it is ", math(value), " in this direction", idle, *pushes)
+        idle = " in this direction; it does no virtual work and is in none of the equations above."
+        yield prose(*begin, " is ", math(value), idle)
         return
-    yield prose(*begin, "prevents it is, in this direction,")
+    yield prose(*begin, " is, in this direction,")
     yield display(Equation((value,)))
-    yield prose("It does no virtual work and is in none of the equations above.", *pushes)
+    yield prose("It does no virtual work and is in none of the equations above.")

@@ -51,6 +51,7 @@ from lagrange.explain.page.shorter.reactions import (
 )
 from lagrange.explain.page.shorter.sentences import in_fewer_words, with_lengths, with_symbol_first
 from lagrange.explain.page.shorter.signs import with_like_terms_in_one, with_turned_sums
+from lagrange.explain.page.shorter.unbound import without_unused_sections
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.surfaces import in_vectors, on_surface, work_of_surface
 from lagrange.explain.page.system import alike_about_all_axes
@@ -95,7 +96,7 @@ def steps_of_page(
     arranged = in_fewer_words([*arranged])
     arranged = with_like_terms_in_one(solution, [*arranged])
     arranged = with_turned_sums([*without_unused(solution, [*said_before([*arranged])])])
-    yield from in_pairs([*arranged])
+    yield from in_pairs([*without_unused_sections(solution, [*arranged])])
 
 
 def _with_best_choice_first(solution: Solution) -> Solution:

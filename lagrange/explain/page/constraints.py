@@ -66,7 +66,7 @@ from lagrange.explain.constraints import (
     explain_time,
     telling_pair,
 )
-from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
+from lagrange.explain.contact.one_sided import explain_in_contact
 from lagrange.explain.displacements import explain_displacements, pivot_conditions
 from lagrange.explain.limits import LONGEST_PIVOT, LONGEST_SOLUTION
 from lagrange.explain.reactions import while_moving
@@ -159,7 +159,6 @@ def _conclusions(classification: Classification) -> list[Prose]:
         sentences.append(prose("The constraints alone determine the position."))
     return [
         *sentences,
-        *explain_one_sided(constraints),
         *(s for s in explain_losses(classification) if not _is_excluded(classification)),
     ]
 
@@ -201,10 +200,18 @@ def explain_without(classification: Classification, built_in: bool) -> Step:
     freedom = classification.degrees_of_freedom
     why = "No constraint relates the coordinates"
     if built_in:
-        why = "The positions, written in these coordinates, satisfy the constraints already; none is left"
-    count = "With its one coordinate it has " if freedom == 1 else "It has as many degrees of freedom as coordinates: "
+        why = "The coordinates satisfy the constraints by themselves"
+        why += "" if freedom == 1 else " and are independent"
     holonomic = prose(f"{why}, so the system is ", Emphasis("holonomic"), ".")
-    many = prose(count, Emphasis(in_words(freedom, "degree") + " of freedom"), ".")
+    degrees = Emphasis(in_words(freedom, "degree") + " of freedom")
+    many = prose("It has ", degrees, ".")
+    plain = not (classification.weighed or classification.forced or classification.catastatic is False)
+    if classification.scleronomic and plain:
+        holonomic = prose(
+            f"{why}, and time does not appear explicitly: the system is ", Emphasis("holonomic"), " and ",
+            Emphasis("scleronomic"), ", with ", degrees, ".",
+        )  # fmt: skip
+        return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (holonomic,))
     return Step(
         Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (paragraph(holonomic, explain_time(classification), many),)
     )

@@ -10,7 +10,6 @@ import sympy as sp
 from lagrange.core.symbols import t
 from lagrange.document.derivation import Display, Equation, Purpose, Ref, Rule, Step, has_purpose, listed, math, prose
 from lagrange.mechanics.results import Solution
-from lagrange.problem.model import Friction
 
 
 def with_reaction_first(solution: Solution, steps: Sequence[Step]) -> list[Step]:
@@ -19,7 +18,9 @@ def with_reaction_first(solution: Solution, steps: Sequence[Step]) -> list[Step]
     Reactions do no work and drop out of the principle, but the friction μ N does not. Newton's law and the constraints
     give N by themselves.
     """
-    rough = {c for f in solution.problem.forces if isinstance(f, Friction) for c in f.constraints}
+    # Of what rolls the friction is a reaction: it drops out.
+    slipping = () if solution.own.dynamics is None else solution.own.dynamics.friction_forces
+    rough = {c for f in slipping for c in f.friction.constraints}
     principle = _only(steps, Rule.PRINCIPLE)
     reactions = _only(steps, Rule.SOLVED_REACTIONS)
     if not rough or principle is None or reactions is None or reactions < principle or solution.law is None:

@@ -18,6 +18,7 @@ from lagrange.document.derivation import (
     Part,
     Prose,
     Purpose,
+    Ref,
     Rule,
     Step,
     display,
@@ -36,7 +37,7 @@ from lagrange.explain.page.conclusions.limiting import explain_limit, explain_ma
 from lagrange.explain.page.motion import by_quadrature
 from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.statement import raised
-from lagrange.explain.words import plural
+from lagrange.explain.words import plural, suffix_of
 from lagrange.mechanics.circular_motion import Turning
 from lagrange.mechanics.consequences.course import swinging_rate
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
@@ -44,7 +45,7 @@ from lagrange.mechanics.meaning import ResultMeaning
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
-from lagrange.mechanics.rewriting.integrals import is_multiple_of, without_constants
+from lagrange.mechanics.rewriting.integrals import EnergyExcess, energy_excess, is_multiple_of, without_constants
 from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquations, one_way
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 from lagrange.problem.model import Problem
@@ -228,7 +229,7 @@ def _conserved(
         step = _without_constant_coordinates(step, conserved)
         step = replace(step, body=tuple(_in_remaining(b, conserved) for b in step.body))
         jacobi = any(i.quantity is ConservedQuantity.JACOBI for i in long)
-        yield from _without_accelerations(step.body, always=jacobi)
+        yield from _without_accelerations(step.body, energy_excess(conserved) if jacobi else None, step.choice)
 
 
 def _is_short(integral: Integral) -> bool:
@@ -321,10 +322,10 @@ def _simpler(zero: dict[sp.Symbol, sp.Expr], e: sp.Expr) -> sp.Expr:
     return sp.Add(*(a for a, factors in bases if not factors & {*zero}))
 
 
-def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[Block]:
+def _without_accelerations(body: Sequence[Block], beside: EnergyExcess | None, choice: str) -> Iterator[Block]:
     """The conserved quantities; for an energy that is not, no balance with accelerations on its right side.
 
-    always  no balance at all: Jacobi's integral is the one that counts
+    beside  what it has in addition to Jacobi's integral, which then says more than a balance
     """
     blocks = list(body)
     for n, block in enumerate(blocks):
@@ -335,13 +336,23 @@ def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[B
         if isinstance(rate, sp.Expr) and isinstance(block, Display):  # −μ N (x' + R θ'), the power of friction
             short = replace(last, sides=(*last.sides[:-1], in_factors(rate)))
             blocks[n] = replace(block, equations=(*block.equations[:-1], short))
-        if always or (isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols)):
-            before = blocks[n - 1]
-            assert isinstance(before, Prose)
+        before = blocks[n - 1]
+        assert isinstance(before, Prose)
+        if beside is not None:
+            blocks[n - 1 : n + 1] = [_energy_beside(beside, choice)]
+            break
+        if isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols):
             along = index_of(Purpose.ALONG, before.parts)
             blocks[n - 1 : n + 1] = [replace(before, parts=before.parts[:along])]
             break
     return iter(blocks)
+
+
+def _energy_beside(e: EnergyExcess, choice: str) -> Prose:
+    """`The energy is not conserved: it is (16) plus m Ω² r², and changes at the rate 2m Ω² r r'.`"""
+    integral = Ref(f"conserved{suffix_of(choice)}-{e.number}")
+    rate: tuple[Part, ...] = () if e.rate is None else (", and changes at the rate ", math(e.rate))
+    return prose("The energy is not conserved: it is the left side of ", integral, " plus ", math(e.excess), *rate, ".")
 
 
 def _accelerations(meaning: ResultMeaning) -> Iterator[Block]:

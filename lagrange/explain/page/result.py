@@ -20,16 +20,20 @@ from lagrange.document.derivation import (
     Detail,
     Display,
     Equation,
+    Math,
     Part,
     Prose,
+    Purpose,
     Rule,
     Step,
     display,
+    has_purpose,
     listed,
     math,
     paragraph,
     prose,
 )
+from lagrange.explain.constraints import only_if
 from lagrange.explain.limits import (
     LONGER_ACCELERATIONS,
     LONGEST_ACCELERATION,
@@ -94,6 +98,8 @@ def explain_result(
     roots = rest_has_roots(solution)
     for view in (solution.own, *solution.choices[: 0 if roots else 1]):  # the last: in chosen coordinates, and shorter
         kept |= {rule: lines for rule, lines in _from_view(solution, view) if lines}
+    if kept.get(Rule.EQUILIBRIUM):
+        kept[Rule.EQUILIBRIUM] = _where_it_exists(kept[Rule.EQUILIBRIUM], steps)
     if roots and Rule.EQUILIBRIUM in kept:
         related = [Equation((c.lhs, c.rhs)) for c in solution.problem.constraints]
         kept[Rule.EQUILIBRIUM] = [*kept[Rule.EQUILIBRIUM], *related]
@@ -130,6 +136,16 @@ def explain_result(
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def _where_it_exists(lines: list[Equation], steps: Iterable[Step]) -> list[Equation]:
+    """The only equilibrium with the condition for its existence, as the page finds it from the forces of supports."""
+    said = [b for s in steps for b in s.body if has_purpose(b, Purpose.EXISTS)]
+    if len(lines) != 1 or len(said) != 1:
+        return lines
+    bounds = [p for p in said[0].parts if isinstance(p, Math)]
+    after = lines[0].condition
+    return [replace(lines[0], condition=("where ", *bounds, *(("; ", *after) if after else ())))]
 
 
 def _in_free_coordinates(view: InCoordinates, lines: list[Equation]) -> list[Equation]:
@@ -229,10 +245,12 @@ def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
         return
     free = [c.row.name for c in classification.constraints if c.integrable is False]
     kind = "holonomic" if classification.holonomic else "nonholonomic"
+    unless = () if classification.scleronomic else only_if(classification)
     time = "scleronomic" if classification.scleronomic else "rheonomic"
     because = f", because of {constraints_called(free)}," if len(free) == 1 < len(classification.constraints) else ""
     words = (
-        f"{in_words(classification.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
+        f"{in_words(classification.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because}"
+        f"{',' if unless and not because else ''} and {time}"
     )
     functions = (*(f for _, f in classification.integrals), *(c.function for c in classification.combined[:1]))
     lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST_RESULTS]
@@ -246,9 +264,11 @@ def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
     described = _described(solution)
     if lines:
         after = [] if described is None else [described]
-        yield Step(Rule.RESULT, "", (prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF), *after))
+        yield Step(
+            Rule.RESULT, "", (prose(words, *unless, ":"), display(*lines, boxed=True, detail=Detail.BRIEF), *after)
+        )
         return
-    sentence = prose(f"{words}.")
+    sentence = prose(words, *unless, ".")
     yield Step(Rule.RESULT, "", (sentence if described is None else paragraph(sentence, described),))
 
 
@@ -276,9 +296,12 @@ def _described(solution: Solution) -> Prose | None:
 
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
     letters = [e.sides[0] for e in lines if isinstance(e.sides[0], sp.Symbol)]
+    views = solution.views
+    if rule is Rule.FRICTION_AT_REST and all(v.at_rest is None and v.impending is None for v in views):
+        return "the condition for rolling"
     if rule is Rule.SOLVED_REACTIONS and letters and all(s.name.startswith("lambda") for s in letters):
         return plural(len(lines), "the multiplier", "the multipliers")
-    if rule is Rule.SOLVED_REACTIONS and any(v.at_rest is not None for v in solution.views):
+    if rule is Rule.SOLVED_REACTIONS and any(v.at_rest is not None for v in views):
         return plural(len(lines), "the force", "the forces")
     if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
         return "the reaction"

@@ -71,7 +71,8 @@ def result_at_rest(
         stated = view.equilibrium is not None
         lines = [*_frequencies(view.linearization, view.in_numbers, existence_stated=stated)]
         numbers = [] if view.in_numbers is None else [*_only_in_numbers(view.linearization, view.in_numbers)]
-        yield Rule.LINEARIZATION, [*lines, *_damped(view.linearization), *numbers]
+        damped = [*_damped(view.linearization), *_damped_modes(view.linearization)]
+        yield Rule.LINEARIZATION, [*lines, *damped, *numbers]
 
 
 def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator[Equation]:
@@ -200,9 +201,9 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
             moving = {*view.configuration.slots.coordinates}
             forces = [e for e in lines if not any(moving & s.free_symbols for s in e.sides if isinstance(s, sp.Expr))]
             lines = [replace(e, condition=()) for e in forces] or lines
-        if rest is not None:
-            said = lines[-1].condition
-            lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))
+        if rest is not None:  # each of them, since in general the forces have other values
+            lines = [replace(e, condition=("at the limit", *((", ", *e.condition) if e.condition else ())))
+                     for e in lines]  # fmt: skip
         yield from lines
 
 
@@ -361,6 +362,21 @@ def _damped(linearization: Linearization) -> Iterator[Equation]:
         about = ("about ", *listed(math(r.lhs, r.rhs) for r in b.equations)) if b.equations else ()
         yield lines[0]
         yield replace(lines[1], condition=(*about, ", " if about and words else "", *words))
+
+
+def _damped_modes(linearization: Linearization) -> Iterator[Equation]:
+    """The frequencies of several modes about the only equilibrium, each with its decay rate: `ω₁² = c/m, undamped`."""
+    at = linearization.at[0] if len(linearization.at) == 1 else None
+    damped = None if at is None else at.decaying
+    if damped is None or not damped.complete or len(damped.modes) < 2:
+        return
+    for k, m in enumerate(damped.modes, start=1):
+        omega, sigma = (sp.Symbol(f"{s.name}_{k}", real=True) for s in (linearization.omega, linearization.decay))
+        if m.difference is None or m.oscillates is False or count_operations(m.difference) > LONGEST_FREQUENCY:
+            return
+        words: tuple[Part, ...] = ("undamped",) if m.rate == 0 else ("with the decay rate ", math(sigma, m.rate))
+        words = (*words, *((", where ", *sign_conditions([m.condition])) if m.condition is not None else ()))
+        yield Equation((omega**2, m.difference), condition=words)
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:

@@ -83,9 +83,7 @@ from lagrange.explain.page.motion import (
 )
 from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.page.shorter.constraints import explain_at_sight, integrates_at_sight
-from lagrange.explain.page.shorter.reactions import (
-    in_accelerations,
-)
+from lagrange.explain.page.shorter.reactions import by_projection, in_accelerations
 from lagrange.explain.page.system import explain_independence, explain_measures, explain_system
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import plural
@@ -234,6 +232,7 @@ class Shortening:
         for made in _reactions(self.solution, step, self.newton):
             named = with_named_denominators(contact_once(made), self.names)
             shorter = in_accelerations(self.solution, named, view)
+            shorter = by_projection(shorter, view, self.newton) if shorter is named else shorter
             if any(isinstance(b, Display) for b in shorter.body):
                 yield shorter
 

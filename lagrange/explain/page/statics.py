@@ -19,6 +19,7 @@ from lagrange.document.derivation import (
     Display,
     Equation,
     Part,
+    Purpose,
     Ref,
     Rule,
     Step,
@@ -221,4 +222,6 @@ def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
     if bounds is not None:
         suffix = suffix_of(chosen.name)
         place = (Ref(f"equilibrium{suffix}-1"), ", such a position exists if ")
-        yield prose("By ", *place, math(*bounds, relation="≤"), ".", detail=Detail.BRIEF)
+        low, middle, high = bounds
+        within = (sp.Abs(middle), high) if low == -high else bounds
+        yield prose("By ", *place, math(*within, relation="≤"), ".", detail=Detail.BRIEF, purpose=Purpose.EXISTS)

@@ -8,7 +8,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import reading_length
 from lagrange.core.expression_size import count_operations
-from lagrange.core.symbols import DotProduct, VectorSymbol, variation
+from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variation
 from lagrange.document.derivation import (
     Block,
     Detail,
@@ -43,6 +43,7 @@ from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.degenerate import LowestForm, UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.loads import potential_of_all
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
 from lagrange.mechanics.rewriting.factors import has_common_factor, with_common_factor
 
@@ -308,13 +309,13 @@ def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
         places = [listed(math(r.lhs, r.rhs) for r in b.equations) for b in equilibrium.outside]
         listing: list[Part] = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
         words = "The conditions hold as well outside of the range of the coordinates, where "
-        yield prose(words, *listing, ".", detail=Detail.BRIEF)
+        yield prose(words, *listing, ".", detail=Detail.FULL)
     ranges = equilibrium.configuration.ranges
     several = {s for b in equilibrium.branches for r in b.relations if len(b.points) < 2
                and r.lhs.has(sp.cos, sp.sin, sp.tan) for s in r.lhs.free_symbols if s in ranges}  # fmt: skip
     if several and not equilibrium.outside:
         meant = listed(math(r.low, s, r.high, relation="≤") for s, r in ranges.items() if s in several)
-        yield prose("Only angles with ", *meant, " are meant.", detail=Detail.BRIEF)
+        yield prose("Only angles with ", *meant, " are meant.", detail=Detail.FULL)
 
 
 def full_turns(equilibrium: Equilibrium) -> Iterator[Block]:
@@ -376,9 +377,18 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
     """The second variation at each equilibrium."""
     if second is None or all(not s.minors for s in second.verdicts):
         return
-    V = math(equilibrium.configuration.potential_letter)
-    start = ("The forces have a potential ", V, ", and an equilibrium is stable if ", V, " has a strict minimum there.")
-    one = len(second.coordinates) == 1
+    configuration, one = equilibrium.configuration, len(second.coordinates) == 1
+    letter, stated = configuration.potential_letter, configuration.potential
+    whole = potential_of_all(configuration, equilibrium.independent_forces[0]) if one else None
+    if whole is not None and stated not in (ZERO, whole):  # that of the springs alone has this letter
+        others = {s.name for s in (*whole.free_symbols, letter)}
+        letter = sp.Symbol(free_letter("U", "Pi", "V_all", taken=others), real=True)
+    V = math(letter)
+    given: tuple[Part, ...] = (
+        ("a potential ", V, ", and") if whole is None else ("the potential ", math(letter, whole), ";")
+    )
+    together = "All forces together" if letter != configuration.potential_letter else "The forces"
+    start = (f"{together} have ", *given, " an equilibrium is stable if ", V, " has a strict minimum there.")
     turned = any(s.minors and s.free for s in second.verdicts)
     if all(s.free for s in second.verdicts if s.minors):
         yield prose(*start)

@@ -438,10 +438,16 @@ def _decaying(n: int, s: SmallOscillations, damped: DampedModes, linearization: 
             words = (*where, ", " if where and shape else "", *shape)
             lines.append(
                 Equation(
-                    (own**2, m.square), label=label_about_equilibrium(linearization, f"omega-{k}", n), condition=words
+                    (own**2, m.difference or m.square),
+                    label=label_about_equilibrium(linearization, f"omega-{k}", n),
+                    condition=words,
                 )
             )
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if idle := [f"{sigma.name}_{k}" for k, (_, rate) in enumerate(rates, start=1) if rate == 0]:
+        zero = listed(math(sp.Symbol(name, real=True), ZERO) for name in idle)
+        yield prose("With ", *zero, ": nothing damps ", plural(len(idle), "this mode", "these modes"),
+                    ", and it goes on for ever." if len(idle) == 1 else ", and they go on for ever.")  # fmt: skip
     if any(m.condition is not None for m in damped.modes):
         root = sp.Pow(-(omega**2), sp.S.Half, evaluate=False)
         yield prose("Where ", math(omega**2, ZERO, relation="<"), " for a mode, it does not oscillate but decays with "

@@ -78,10 +78,15 @@ class LimitingCase:
 
 @record
 class MasslessBodies:
-    """The constant accelerations without the masses and moments of inertia of the bodies."""
+    """The constant accelerations without the masses and moments of inertia of the bodies.
+
+    keeps_shape  whether a moment of inertia vanishes only with a mass, ½ m R²: its ratio to the mass stays, and so does
+                 what it does to the motion
+    """
 
     vanishing: tuple[sp.Symbol, ...]
     accelerations: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    keeps_shape: bool = False
 
 
 def limiting_cases(
@@ -361,4 +366,6 @@ def massless_bodies(
         return None
     shown = {a: textbook_form(sp.factor(e)) for a, e in there.items()}
     before, after = (sum(count_operations(e) for e in es.values()) for es in (constant, shown))
-    return MasslessBodies(vanishing, shown) if 3 * after <= 2 * before else None
+    masses = {s for p in view.configuration.points for s in p.mass.free_symbols}
+    moments = [{s for row in r.inertia.rows for e in row for s in e.free_symbols} for r in turning]
+    return MasslessBodies(vanishing, shown, any(m & masses for m in moments)) if 3 * after <= 2 * before else None

@@ -58,10 +58,16 @@ def spot_of_motion(motion: Motion, problem: Problem) -> SpotValue | None:
     """A spot value of the equations of motion, with the values of parameters that the file gives."""
     return spot_value(
         System(motion.equations.configuration, motion.equations.expressions),
-        {p.symbol: p.value for p in problem.parameters if p.value is not None},
+        {p.symbol: p.value for p in problem.parameters if p.value is not None} | _as_drawn(problem),
         (*motion.slips, *motion.sliding, *motion.shown.positive),
         motion.contacts,
     )
+
+
+def _as_drawn(problem: Problem) -> dict[sp.Symbol, sp.Expr]:
+    """The numbers with which the file draws the system: with these a rocket lifts off."""
+    numbers = ((p, problem.figure.at.get(p.symbol.name)) for p in problem.parameters if p.value is None)
+    return {p.symbol: value for p, value in numbers if value is not None and value.is_number}
 
 
 def spot_value(
@@ -72,7 +78,7 @@ def spot_value(
 ) -> SpotValue | None:
     """A spot value of a system; None if none was found.
 
-    given      the values of parameters in the file
+    given      the values of parameters in the file, and those of its figure
     positive   functions of position and velocity that the file declares positive
     preferred  others that are positive if possible
     """
@@ -115,12 +121,12 @@ def _at(
     numbers = count(1 + trial)
     angles = _angles(system.equations)
     turn = reversed if trial % 2 == 0 else iter  # √(l² − c²) may want the later letter to be the larger one
-    parameters = {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in turn(others)}
+    parameters = {s: given.get(s) or _parameter_value(s, numbers, angles.get(s)) for s in turn(others)}
     values |= dict.fromkeys(roots, sp.S.One)
     values |= {s: parameters[s] for s in others}
     unused = set().union(*(e.free_symbols for e in wanted)) - used - moving
-    values |= {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in sorted(unused, key=str)}
-    positions = _positions(configuration, values, trial, signs[0])
+    values |= {s: given.get(s) or _parameter_value(s, numbers, angles.get(s)) for s in sorted(unused, key=str)}
+    positions = _positions(configuration, values, trial, signs[0], angles)
     if positions is None:
         raise ValueError("no positions")
     values |= positions
@@ -136,11 +142,18 @@ def _at(
 
 
 def _positions(
-    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int, sign: int
+    configuration: Configuration,
+    values: Mapping[sp.Basic, sp.Expr],
+    trial: int,
+    sign: int,
+    angles: Mapping[sp.Expr, bool],
 ) -> dict[sp.Basic, sp.Expr] | None:
     """Simple numbers for the free coordinates, and the others from the finite constraints."""
     slots = configuration.slots
-    chosen = {q: sign * sp.Rational(n + 1, n + 2 + trial) for n, q in enumerate(slots.coordinates)}
+    chosen = {
+        q: sign * (_angle(n + trial) if angles.get(q) else sp.Rational(n + 1, n + 2 + trial))
+        for n, q in enumerate(slots.coordinates)
+    }
     finite = configuration.finite_constraints
     if not finite:
         return dict(chosen)
@@ -208,17 +221,19 @@ def _all_expressions(system: System) -> Iterator[sp.Expr]:
         yield from (*row.coefficients, row.drift, row.finite or sp.S.Zero)
 
 
-def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], angle: bool) -> sp.Expr:
+def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], in_degrees: bool | None) -> sp.Expr:
     """The next number; the last name has the smallest, because a + b cos ωt is a length where a > b.
 
     An angle is less than a right one: the normal force on an incline is m g cos α.
+
+    in_degrees  of an angle, whether it is a whole number of degrees; None: it is none
     """
     if symbol.name == "g":
         return sp.Integer(10)
     if symbol == t:
         return sp.S.One
     number = sp.Integer(next(numbers))
-    value = 1 / (1 + number) if angle else number
+    value = number if in_degrees is None else _angle(int(number) - 1) if in_degrees else 1 / (1 + number)
     if isinstance(symbol, Bounded) and not symbol.low < value < symbol.high:
         middle = (symbol.low + symbol.high) / 2
         eighths = sp.Rational(sp.floor(8 * middle), 8)
@@ -226,11 +241,27 @@ def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], angle: bool) -> 
     return value
 
 
-def _angles(expressions: Iterable[sp.Expr]) -> set[sp.Expr]:
-    """The symbols that are terms in the argument of a sine or cosine: α, but not the ω in ω t."""
+DEGREES = (30, 50, 20, 40, 70, 10, 60)
+"""Angles below a right one, no two of which differ as often as 30°, 60° and 90° do."""
+
+
+def _angle(n: int) -> sp.Expr:
+    """The nth angle to choose."""
+    return sp.pi * sp.Rational(DEGREES[n % len(DEGREES)], 180)
+
+
+def _angles(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, bool]:
+    """The symbols that are terms in the argument of a sine or cosine: α, but not the ω in ω t.
+
+    And whether they occur nowhere else: the angle of a torsion spring enters its moment in radians.
+    """
+    expressions = [*expressions]
+    plain = (e.replace(lambda f: isinstance(f, TrigonometricFunction), lambda *_: sp.S.One) for e in expressions)
+    elsewhere = {s for e in plain for s in e.free_symbols}
     functions = (f for e in expressions for f in e.atoms(TrigonometricFunction))
     terms = (term for f in functions for term in sp.Add.make_args(f.args[0]))
-    return {symbol for term in terms for number, symbol in [term.as_coeff_Mul()] if symbol.is_Symbol}
+    symbols = (symbol for term in terms for _, symbol in [term.as_coeff_Mul()] if symbol.is_Symbol)
+    return {s: s not in elsewhere for s in symbols}
 
 
 def _velocities(
@@ -298,8 +329,8 @@ def _recognised(number: Any) -> sp.Expr:
 
 
 def _rounded(value: sp.Expr) -> sp.Expr:
-    """Rational numbers unchanged, others to six figures; the rounding error of a zero is 0."""
-    if value.is_Rational:
+    """Rational numbers and fractions of π unchanged, others to six figures; the rounding error of a zero is 0."""
+    if value.is_Rational or (value / sp.pi).is_Rational:
         return value
     number = value.evalf(DIGITS)
     return sp.S.Zero if abs(number) < TOLERANCE else sp.Float(number, 6)

@@ -56,6 +56,11 @@ class DampedMode:
     shape: tuple[sp.Expr, ...] = ()
 
     @property
+    def difference(self) -> sp.Expr | None:
+        """ω² as ω₀² − σ², (c + 2 κ)/m − (b/m)²; None for a single real exponent."""
+        return None if self.own is None else sp.Add(self.own, -(self.rate**2))
+
+    @property
     def oscillates(self) -> bool | None:
         """Whether ω² > 0; None if that depends on the parameters, or is not known."""
         if self.square is None:

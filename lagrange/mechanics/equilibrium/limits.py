@@ -171,3 +171,6 @@ MOST_ANGLES = 2
 
 SAME_IN_MODES = 1e-9
 """The relative difference below which an amplitude is zero, or the square of a frequency the same, in numbers."""
+
+LONGEST_POTENTIAL = 25
+"""Operations of a potential energy that is written out beside its second derivative."""

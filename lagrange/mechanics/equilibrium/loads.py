@@ -15,10 +15,15 @@ from lagrange.algebra.closed_forms.conditions import solved_for
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.expression_size import count_operations
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.lagrangian import is_constant
 from lagrange.mechanics.dynamics.principle import given_forces
+from lagrange.mechanics.equilibrium.limits import LONGEST_POTENTIAL
 
 WEIGHT = "weight"
 
@@ -75,3 +80,20 @@ def for_loads(conditions: Sequence[SignCondition], configuration: Configuration)
     return tuple(
         SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
     )
+
+
+def potential_of_all(configuration: Configuration, force: sp.Expr) -> sp.Expr | None:
+    """V(q) of one coordinate, of springs, fields and constant forces together, as far as it varies.
+
+    None if another force acts, or if −dV/dq is not the given generalized force.
+    """
+    if configuration.torques or configuration.generalized or configuration.rows:
+        return None
+    if not all(is_constant(f, configuration) for f in configuration.loads):
+        return None
+    [q] = configuration.slots.coordinates
+    lost = (f.vector.fixed().dot(f.point.fixed().map(configuration.rewritten)) for f in configuration.loads)
+    whole = textbook_form(configuration.potential - sp.Add(*lost))
+    varying = sp.Add(*(e for e in sp.Add.make_args(whole) if q in e.free_symbols))
+    short = count_operations(varying) <= LONGEST_POTENTIAL
+    return varying if short and is_zero(varying.diff(q) + force) is True else None

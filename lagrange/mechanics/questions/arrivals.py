@@ -225,11 +225,23 @@ class Arrivals:
 
 
 def _follows(c: SignCondition, known: Sequence[SignCondition]) -> bool:
-    """Whether a condition follows from one of others, because its margin is larger: 4 g l ≥ v² from 2 g l ≥ v²."""
+    """Whether a condition follows from one of others, because its margin is larger: 4 g l ≥ v² from 2 g l ≥ v².
+
+    Or larger than a multiple of that: h ≥ 2 R from 2 h ≥ 5 R.
+    """
     margin, enough = _margin(c), (0, 1) if c.relation in ("≥", "≤") else (1,)
     return margin is not None and any(
-        (other := _margin(k)) is not None and sign_of_value(sp.expand(margin - other)) in enough for k in known
+        (other := _margin(k)) is not None
+        and any(sign_of_value(sp.expand(margin - m * other)) in enough for m in _multiples(margin, other))
+        for k in known
     )
+
+
+def _multiples(margin: sp.Expr, other: sp.Expr) -> list[sp.Expr]:
+    """1, and the numbers by which a symbol's share in a margin exceeds that in another."""
+    shares = [(margin.diff(s), other.diff(s)) for s in sorted(margin.free_symbols & other.free_symbols, key=str)]
+    ratios = [a / b for a, b in shares if a.is_number and b.is_number and b != 0]
+    return [sp.S.One, *(r for r in dict.fromkeys(ratios) if r.is_positive and r != 1)]
 
 
 def _margin(c: SignCondition) -> sp.Expr | None:

@@ -1,4 +1,9 @@
-"""Integrals of the motion as they are written: without constants, and multiples of one velocity."""
+"""Integrals of the motion as they are written: without constants, and multiples of one velocity.
+
+*Energy beside Jacobi's integral.* J = Σ q' ∂L/∂q' − L is constant where time occurs in the positions only, and
+E = T + V = J + G. Of axes that are turned at the rate Ω the difference G is Ω times the angular momentum, and its rate
+the power that turns them.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +14,12 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
+from lagrange.core.records import record
 from lagrange.core.symbols import partial, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.conservation import Integral
+from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral
 from lagrange.mechanics.limits import LONGEST_INTEGRAL_IN_ROOTS
+from lagrange.mechanics.rewriting.factors import in_factors
 
 
 def without_constants(integral: Integral, configuration: Configuration) -> Integral:
@@ -33,6 +40,28 @@ def without_constants(integral: Integral, configuration: Configuration) -> Integ
         if count_operations(one) < count_operations(before) and is_zero(one - before) is True:
             expression = sp.Add(one, *(e for e in kept if e not in rooted))
     return integral if expression == integral.expression else replace(integral, expression=expression)
+
+
+@record
+class EnergyExcess:
+    """E = J + excess, where J is the integral of this number, counted from 1; `rate`: dE/dt, without accelerations."""
+
+    number: int
+    excess: sp.Expr
+    rate: sp.Expr | None
+
+
+def energy_excess(conserved: Conserved) -> EnergyExcess | None:
+    """What the energy has in addition to Jacobi's integral; None without either."""
+    if conserved.energy is None:
+        return None
+    slots = conserved.motion.configuration.slots
+    for n, i in enumerate(conserved.integrals, start=1):
+        if i.quantity is ConservedQuantity.JACOBI:
+            excess = in_factors(textbook_form(sp.expand(conserved.energy.expression - i.expression)))
+            rate = in_factors(slots.time_derivative(excess))
+            return EnergyExcess(n, excess, None if rate.free_symbols & {*slots.accelerations} else rate)
+    return None
 
 
 def is_multiple_of(e: sp.Expr, velocity: sp.Symbol, configuration: Configuration) -> bool:

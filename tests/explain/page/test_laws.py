@@ -38,7 +38,7 @@ def test_a_weight_that_a_table_balances_is_accounted_for() -> None:
     """Newton's law of A has a component along k that no coordinate moves along, and no reaction shown has one."""
     found = report(read_problem(Source("table.yaml", TABLE)), complete=False)
     page = " ".join(terminal.text(found.derivation, found.notation, 80).split())
-    assert "The coordinates allow no motion of A along 𝐤. The force that prevents it is m g in this direction" in page
+    assert "The force that keeps A from moving along 𝐤 is m g in this direction" in page
     assert "The string constraint keeps a length constant: its reaction is the tension S" in page
 
 

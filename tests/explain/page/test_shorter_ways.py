@@ -105,7 +105,7 @@ def test_friction_is_tried_where_something_slides() -> None:
         ("servo", "x = C exp(−κ t) − v/κ + v t"),
         ("rocket", "As before, (9) holds."),
         ("triatomic-molecule", "The particles A, B and C have the masses m, M and m"),
-        ("bead-on-lemniscate", "Where x = y = 0, the form (3) vanishes and restricts nothing."),
+        ("bead-on-lemniscate", "Where x = y = 0, the form (3) vanishes and restricts nothing; (2) itself still holds."),
         ("bicycle", "Two of the displacements can be chosen freely, for instance δy₁ and δψ"),
         ("ex15-rough-incline", "𝐅 = −μ N 𝐝𝐨𝐰𝐧 − m g 𝐣"),
         ("four-bar-linkage", "α = 1.30415"),

@@ -114,3 +114,16 @@ gravity: -g*j
     spot = solve(problem(text)).own.spot
     assert spot is not None
     assert all(abs(v) < 100 for v in spot.values.values())
+
+
+def test_numbers_are_those_of_the_figure(problem: Read) -> None:
+    spot = solve(problem(f"{PENDULUM}figure: {{at: {{l: 1.3}}}}\n")).own.spot
+    assert spot is not None
+    assert {s.name: v for s, v in spot.values.items()}["l"] == sp.Rational(13, 10)
+
+
+def test_angles_are_whole_degrees(problem: Read) -> None:
+    text = f"{PENDULUM}generalized_coordinates: {{angle: {{coordinates: [th], substitute: {{x: l*sin(th), y: l*cos(th)}}}}}}\n"
+    [choice] = solve(problem(text)).choices
+    assert choice.spot is not None
+    assert {s.name: v for s, v in choice.spot.values.items()}["th"] == sp.pi / 6

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 import lagrange
-from lagrange.mechanics.equilibrium.loads import load_parameters
+from lagrange.mechanics.equilibrium.loads import load_parameters, potential_of_all
 from lagrange.mechanics.solution import solve
 
 COLUMN = """
@@ -28,3 +30,20 @@ def test_a_given_lagrangian_has_no_accelerations_at_rest() -> None:
     branches = solution.own.equilibrium.branches
     assert [[str(r.rhs) for r in b.relations] for b in branches] == [["0"], ["pi"]]
     assert all(c.passed for c in solution.checks)
+
+
+def test_the_potential_of_all_forces() -> None:
+    """c θ²/2 + P l cos θ."""
+    rest = solve(lagrange.loads(COLUMN), complete=False).own.equilibrium
+    assert rest is not None
+    whole = potential_of_all(rest.configuration, rest.independent_forces[0])
+    assert whole is not None
+    values = {"c": 2, "P": 3, "l": 5, "theta": 0}
+    assert whole.xreplace({s: sp.Integer(values[s.name]) for s in whole.free_symbols}) == 15
+
+
+def test_no_potential_of_a_follower() -> None:
+    text = COLUMN.replace("vector: -P*j", "vector: -P*(sin(theta)*i + cos(theta)*j)")
+    rest = solve(lagrange.loads(text), complete=False).own.equilibrium
+    assert rest is not None
+    assert potential_of_all(rest.configuration, rest.independent_forces[0]) is None

@@ -52,12 +52,15 @@ def _together(m: NamedMotion) -> tuple[Part, ...]:
 
 
 def explain_massless(massless: MasslessBodies | None) -> Iterator[Block]:
-    """`Without inertia of the bodies that turn, I = 0: x'' = (m1 − m2) g/(m1 + m2).`"""
+    """`Without the inertia of the bodies that turn, I = 0: x'' = (m1 − m2) g/(m1 + m2).`"""
     if massless is None:
         return
-    zero = math(*massless.vanishing, sp.S.Zero)
-    values = listed(math(*pair) for pair in massless.accelerations.items())
-    words = (" of the bodies that turn, ", zero, ": ", *values, ".")
+    values = (": ", *listed(math(*pair) for pair in massless.accelerations.items()), ".")
+    if massless.keeps_shape:
+        light = listed(math(s, sp.S.Zero, relation="→") for s in massless.vanishing)
+        yield prose(Emphasis("Limit"), " ", *light, *values, purpose=Purpose.LIMIT)
+        return
+    words = (" of the bodies that turn, ", math(*massless.vanishing, sp.S.Zero), *values)
     yield prose(Emphasis("Without the inertia"), *words, purpose=Purpose.LIMIT)
 
 

@@ -30,7 +30,7 @@ def explain_rest(small: Linearization) -> Iterator[Block]:
     motions: list[Block] = []
     for branch, at in zip(small.branches, small.at, strict=True):
         words = None if at is None else stability_of(at)
-        if at is None or not words or branch.left or branch.conditions or _is_long(at):
+        if at is None or not words or branch.left or not _is_implied(branch, at) or _is_long(at):
             return
         place = listed(math(r.lhs, r.rhs) for r in branch.relations)
         verdict = stability_word(at)
@@ -47,8 +47,16 @@ def explain_rest(small: Linearization) -> Iterator[Block]:
         shown = [p for p, verdict in places if verdict != "unstable"]
         others = "others" if shown else "positions"
         rest = ("; " if shown else "", f"{in_words(len(unstable), '').split()[0]} {others} are unstable")
-    yield prose(Emphasis("At rest"), ": ", *_joined(shown), *rest, ".", purpose=Purpose.AT_REST)
+    called = "At rest in the turning system" if small.driven else "At rest"
+    yield prose(Emphasis(called), ": ", *_joined(shown), *rest, ".", purpose=Purpose.AT_REST)
     yield from motions
+
+
+def _is_implied(branch: Branch, at: SmallOscillations) -> bool:
+    """Whether a position exists wherever it is said to be stable or not: k ≠ m Ω² where k > m Ω²."""
+    stability = at.judgement.stability
+    said = {(c.lhs, c.rhs) for c in (*stability.conditions, *stability.presupposed)}
+    return all((c.lhs, c.rhs) in said for c in branch.conditions)
 
 
 def _is_long(at: SmallOscillations) -> bool:
@@ -59,6 +67,8 @@ def _is_long(at: SmallOscillations) -> bool:
 def _motion(small: Linearization, branch: Branch, at: SmallOscillations) -> Iterator[Block]:
     if len(small.displacements) == 1:
         period = _period(at)
+        if period is None:
+            yield from _where_stable(small, at)
         if period is None or len(branch.relations) != 1:
             return
         [xi], [relation] = small.displacements, branch.relations
@@ -77,6 +87,18 @@ def _motion(small: Linearization, branch: Branch, at: SmallOscillations) -> Iter
     about = listed(math(r.lhs, r.rhs) for r in branch.relations)
     words = (" about ", *about, ": the frequencies are given by ", *values, ".")
     yield prose(Emphasis("Small motion"), *words, purpose=Purpose.SMALL_MOTION)
+
+
+def _where_stable(small: Linearization, at: SmallOscillations) -> Iterator[Block]:
+    """`Small motion: ω² = (k − m Ω²)/m where it is stable`, of a frequency in terms of parameters."""
+    squares = [f.square for f in at.frequencies]
+    conditional = at.judgement.stability.verdict is StabilityVerdict.CONDITIONAL and at.oscillates
+    if not conditional or len(squares) != 1 or squares[0] is None:
+        return
+    moving = {*small.configuration.slots.coordinates}
+    if not squares[0].free_symbols & moving and count_operations(squares[0]) <= LONGEST_FREQUENCY:
+        omega = math(small.omega**2, squares[0])
+        yield prose(Emphasis("Small motion"), ": ", omega, " where it is stable.", purpose=Purpose.SMALL_MOTION)
 
 
 def _joined(items: Sequence[tuple[Part, ...]]) -> tuple[Part, ...]:

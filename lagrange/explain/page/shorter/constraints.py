@@ -53,7 +53,7 @@ from lagrange.document.derivation import (
     prose,
 )
 from lagrange.explain.constraints import explain_time
-from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
+from lagrange.explain.contact.one_sided import explain_in_contact
 from lagrange.explain.limits import (
     LONGEST_INTEGRATED_RELATION,
     LONGEST_PRINCIPLE,
@@ -184,7 +184,6 @@ def _conclusions(classification: Classification) -> list[Prose]:
         time,
         *([] if timeless else [explain_time(classification)]),
         prose(f"It has {count}", Emphasis(f"{counted(freedom, 'degree')} of freedom"), "."),
-        *explain_one_sided(classification.constraints),
     ]
 
 

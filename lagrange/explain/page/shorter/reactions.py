@@ -48,6 +48,8 @@ from lagrange.document.derivation import (
     Step,
     display,
     has_purpose,
+    listed,
+    math,
     prose,
 )
 from lagrange.explain.limits import SHORTER_AS_STATED, SHORTER_IN_ACCELERATIONS
@@ -55,6 +57,7 @@ from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
+from lagrange.mechanics.rewriting.projections import projections
 from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, by_named_rates
 from lagrange.mechanics.rewriting.vectors import (
     Directions,
@@ -141,6 +144,29 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
     return replace(step, body=(*before, words, replace(box, equations=tuple(short)), *step.body[at + 1 :]))
 
 
+def by_projection(step: Step, view: InCoordinates, newton: Newton) -> Step:
+    """The forces as they follow from Newton's law along each of them, where that is short."""
+    at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and b.boxed), None)
+    lines = projections(newton, view) if at else ()
+    box, before = (step.body[at], step.body[at - 1]) if at else (None, None)
+    if not lines or not isinstance(box, Display) or not isinstance(before, Prose):
+        return step
+    if {e.sides[0] for e in box.equations} != {p.force for p in lines}:
+        return step
+    if any(not r.named and r.tension is None for r in newton.reactions):
+        return step  # λ is the name of no force
+    along = plural(len(lines), "Newton's law along the direction of ", "Newton's law along the directions of ")
+    accelerations = dict.fromkeys(a for p in lines for a in p.accelerated)
+    follows: tuple[Part, ...] = ("so that",)
+    if accelerations:
+        bound = plural(len(view.configuration.rows), " and the constraint,", " and the constraints,")
+        source = bound if view.configuration.rows else ","
+        follows = ("so that, with ", *listed(map(math, accelerations)), f" from the equations of motion{source}")
+    shown = display(*(Equation((p.inertia, p.right)) for p in lines))
+    words = prose(along, *listed(math(p.force) for p in lines), " is")
+    return replace(step, body=(*step.body[: at - 1], words, shown, prose(*follows), *step.body[at:]))
+
+
 # As the file states them
 
 
@@ -202,10 +228,7 @@ def _shortly(block: Block, newton: Newton) -> Block:
         return block
     constraints = before.equations - sum(len(b.laws) for b in newton.bodies or ()) - len(newton.idle)
     bound = plural(constraints, "the constraint", f"the {constraints} constraints")
-    short = f"With {bound} these are {after.equations} equations for {after.unknowns} unknowns."
-    if before.missing > 0:
-        short += f" Without the directions of the reactions there would be {before.unknowns}."
-    return prose(short)
+    return prose(f"With {bound} these are {after.equations} equations for {after.unknowns} unknowns.")
 
 
 # By unit vectors of the file
