@@ -168,6 +168,9 @@ two digits are rounded by 5 % at most. A limit that is wrong by more is found at
 MOST_NUMERICAL_ROOTS = 4
 """Roots of a condition of equilibrium that a stated position in numbers is compared with."""
 
+LETTERS_OF_STEM = 4
+"""How many letters of a verb two of its forms have in common: `leaves`, `leave`."""
+
 MOST_WORKING_FORCES = 8
 """Forces under names of its own in the working of an answer about rest."""
 MOST_WAYS_TO_REST = 8

@@ -31,7 +31,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
-from lagrange.answers.limits import LONGEST_RUN_OF_LETTERS
+from lagrange.answers.limits import LETTERS_OF_STEM, LONGEST_RUN_OF_LETTERS
 from lagrange.answers.questions.asked_quantities import check_asked, claims_of, with_stated_forces
 from lagrange.answers.questions.named_values import NOT_EQUAL, at_a_value, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
@@ -461,8 +461,6 @@ def _holds_at_a_limit(
 _CLAUSE = re.compile(
     r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for)\s*\$?\s*\Z", re.I
 )
-_STEM = 4
-"""How many letters of a verb two of its forms have in common: `leaves`, `leave`."""
 
 
 def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
@@ -477,12 +475,14 @@ def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
     if clause is None:
         return set()
     parameters = {p.symbol for p in solution.problem.parameters}
-    words = {w.lower()[:_STEM] for w in re.findall(r"[^\W\d_]+", clause["clause"]) if len(w) >= _STEM}
+    words = {
+        w.lower()[:LETTERS_OF_STEM] for w in re.findall(r"[^\W\d_]+", clause["clause"]) if len(w) >= LETTERS_OF_STEM
+    }
     return {
         a.question.name
         for a in solution.asked
         if a.question.quantity in parameters
-        or any(w.lower()[:_STEM] in words for w in a.question.name.split("_") if len(w) >= _STEM)
+        or any(w.lower()[:LETTERS_OF_STEM] in words for w in a.question.name.split("_") if len(w) >= LETTERS_OF_STEM)
     }
 
 

@@ -31,20 +31,30 @@ def with_consequences(
     stated  for parts of the verdict, by their numbers: the question and the value
     """
     wrong = [n for n, e in enumerate(verdict.equations) if e.verdict is Verdict.WRONG and n in stated]
-    for n, found in _found({n: stated[n] for n in wrong}, reference):
+    for n, found, factors in _found({n: stated[n] for n in wrong}, reference):
         force, value = stated[n][0].question.quantity, stated[n][1]
-        parts = [*verdict.equations]
+        parts, given = [*verdict.equations], f"with {force} = {text(value, Notation())}, which is wrong,"
         for k in found:
-            said = f"with {force} = {text(value, Notation())}, which is wrong, it follows from the equations of motion"
-            parts[k] = replace(parts[k], diagnosis=said)
+            parts[k] = replace(parts[k], diagnosis=f"{given} it follows from the equations of motion")
+        for k, factor in factors.items():  # one mistake more: what explains a value by itself explains none of them
+            parts[k] = replace(parts[k], diagnosis=f"{given} the equations of motion give {factor} times this value")
+        if factors:
+            parts[n] = replace(parts[n], diagnosis="")
+            return replace(verdict, equations=tuple(parts))
         own = f"what is stated beside it follows from it; {parts[n].diagnosis}" if parts[n].diagnosis else ""
         parts[n] = replace(parts[n], diagnosis=own.rstrip("; ") or "what is stated beside it follows from it")
         return replace(verdict, equations=tuple(parts))
     return verdict
 
 
-def _found(stated: Mapping[int, tuple[Asked, sp.Expr]], reference: Reference) -> Iterator[tuple[int, Sequence[int]]]:
-    """Each wrong force that is not zero, with the wrong accelerations that follow from it."""
+_FACTORS = tuple(sp.Rational(p, q) for p, q in ((1, 2), (2, 1), (-1, 1), (1, 3), (3, 1), (1, 4), (4, 1)))
+
+
+def _found(
+    stated: Mapping[int, tuple[Asked, sp.Expr]], reference: Reference
+) -> Iterator[tuple[int, Sequence[int], Mapping[int, sp.Rational]]]:
+    """Each wrong force that is not zero, with the wrong accelerations that follow from it, and those that do so but
+    for a factor."""
     for c in reference.candidates:
         if c.choice or not c.multipliers:
             continue
@@ -59,10 +69,16 @@ def _found(stated: Mapping[int, tuple[Asked, sp.Expr]], reference: Reference) ->
                 continue
             try:
                 found = [k for k, (q, a) in moving.items() if _follows(q.question.quantity - a, asked, value, c)]
+                factors = {
+                    k: f
+                    for k, (q, a) in moving.items()
+                    for f in (_FACTORS if found and k not in found else ())
+                    if _follows(q.question.quantity - f * a, asked, value, c)
+                }
             except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
                 continue
             if found:
-                yield n, found
+                yield n, found, factors
 
 
 def _follows(equation: sp.Expr, asked: Asked, value: sp.Expr, c: ReferenceCandidate) -> bool:

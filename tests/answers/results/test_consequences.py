@@ -35,3 +35,11 @@ def test_a_force_that_is_left_out_has_one_cause() -> None:
         "this is the acceleration without the forces of the constraints, as if it moved freely",
     ]
     assert diagnoses("falling = 0", "turning = -3*g/(2*l)")[0] == "it is taken not to be accelerated there, and it is"
+
+
+def test_an_acceleration_beside_a_wrong_force_may_be_wrong_by_a_factor() -> None:
+    """m l^2/12 theta'' = -T l for -T l/2: what reproduces one of the values alone is no cause of the three."""
+    own, turning, falling = diagnoses("tension = m*g/7", "turning = -12*g/(7*l)", "falling = -6*g/7")
+    assert own == ""
+    assert turning == "with T = m*g/7, which is wrong, the equations of motion give 1/2 times this value"
+    assert FOLLOWS in falling
