@@ -28,6 +28,16 @@ from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 ZERO = sp.S.Zero
 
 
+def _place(rest: AtRest) -> Iterator[Block]:
+    """The position that the constraints hold, up to a displacement of the whole."""
+    if rest.place:
+        values = listed(math(q, v) for q, v in rest.place.items())
+        yield prose("Up to a displacement of the whole the constraints give ", *values, ", as used from here on.")
+    for other in rest.elsewhere:
+        differing = listed(math(q, v) for q, v in other.items() if rest.place.get(q) != v)
+        yield prose("They also admit ", *differing, "; there rest is impossible, or needs more friction than here.")
+
+
 def explain_rest(rest: AtRest, newton: Newton) -> Step:
     """The equations of balance, the forces, the conditions."""
     suffix = suffix_of(rest.name)
@@ -35,6 +45,7 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     if rest.equal:
         pairs = listed(math(q, e) for q, e in rest.equal.items())
         body.append(prose("For acute angles the constraints give ", *pairs, "."))
+    body += _place(rest)
     if rest.balance:
         body.append(prose("At rest the forces balance for every coordinate:"))
         body.append(

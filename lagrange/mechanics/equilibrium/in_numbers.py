@@ -14,7 +14,7 @@ parameter occurs in one power, a p^n + b; a bound that the sign of the parameter
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 
 import mpmath
 import sympy as sp
@@ -80,6 +80,7 @@ class Position:
     stability     None if nothing was asked or can be said
     oscillations  about it; empty if they are not asked, or it is not stable
     decays        with damping: the modes about it, likewise
+    forces        the named reactions there, if it was found numerically (`searched.reactions_found`)
     """
 
     branch: int | None
@@ -87,6 +88,7 @@ class Position:
     stability: StabilityVerdict | None = None
     oscillations: tuple[Oscillation, ...] = ()
     decays: tuple[Decay, ...] = ()
+    forces: Mapping[sp.Symbol, Quantity] = field(default_factory=dict)
 
 
 @record
@@ -96,6 +98,7 @@ class EquilibriaInNumbers:
     unknowns   the coordinates and unknown forces, in their order
     absent     the branches, by index, that have no point with these values
     numerical  the search for those that are not in closed form; its roots are among the positions
+    slack      its roots at which a contact would have to pull, or a string to push, which are not
     """
 
     unknowns: tuple[sp.Symbol, ...]
@@ -103,6 +106,7 @@ class EquilibriaInNumbers:
     positions: tuple[Position, ...]
     absent: tuple[int, ...] = ()
     numerical: NumericalEquilibria | None = None
+    slack: tuple[Position, ...] = ()
 
 
 def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values: Values) -> EquilibriaInNumbers | None:
