@@ -74,6 +74,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     angles: dict[Sides, tuple[Part, ...]] = {(b.lhs, b.rhs): (angle,) for a in solution.asked for b in a.branches
               if b.rhs.free_symbols and (angle := angle_of(a, b, values, digits)) is not None}  # fmt: skip
     angles = {**angles, **{sides: angle for view in solution.views for sides, angle in _at_rest(view, values, digits)}}
+    critical = {c: bound for view in solution.views for c, bound in _critical_values(view, values, digits)}
     for step in steps:
         view = positions.get((step.rule, step.title))
         if view is not None:
@@ -81,12 +82,13 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         if step.rule is Rule.STATEMENT:
             yield replace(step, body=(*step.body, *_given(solution, values, digits)))
         elif step.rule in (Rule.RESULT, Rule.MEANING):
-            yield replace(step, body=tuple(_with_values(b, values, digits, bare, angles) for b in step.body))
+            body = (_with_values(b, values, digits, bare, angles) for b in step.body)
+            yield replace(step, body=tuple(_with_bounds(b, critical) for b in body))
         elif step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
             table = _equilibria(view, view.in_numbers, digits, _start(values))
-            yield replace(step, body=(*step.body, *table, *_forces_at_roots(view, solution, values, digits)))
+            yield replace(step, body=(*step.body, *table, *_forces_at_roots(view, digits)))
         elif view is not None and not _determines_forces(view):
             yield step
         else:
@@ -152,17 +154,15 @@ def _at_positions_found(step: Step, solution: Solution, values: Values, digits: 
             yield display(*shown, detail=Detail.BRIEF)
 
 
-def _forces_at_roots(view: InCoordinates, solution: Solution, values: Values, digits: int) -> Iterator[Block]:
+def _forces_at_roots(view: InCoordinates, digits: int) -> Iterator[Block]:
     """The named reactions at the equilibria that were found numerically, where no formula for them is stated."""
-    rest, stated = solution.own.equilibrium, view.reactions_at_rest
-    if not view.is_own or rest is None or solution.law is None or view.in_numbers is None:
+    stated = view.reactions_at_rest
+    if not view.is_own or view.in_numbers is None:
         return
     if stated is not None and any(there is not None for there in stated.at):
         return
-    from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
-
     roots = [p for p in view.in_numbers.positions if p.branch is None]
-    rows = [reactions_found(p.coordinates, rest, solution.law.newton, values) for p in roots]
+    rows = [p.forces for p in roots]
     names = [*rows[0]] if rows and all(rows) else []
     if names:
         yield prose("There, in the same order, the reactions are" if len(roots) > 1 else "There the reactions are",
@@ -188,14 +188,27 @@ def _titles(view: InCoordinates) -> Iterator[tuple[Rule, str]]:
 
 def _critical(view: InCoordinates, values: Values, digits: int) -> Iterator[Block]:
     """`With the given values, k l > P is P < 100 N.`"""
-    critical = critical_values(view.equilibrium, view.stability, view.linearization, values)
-    clauses = [
-        (math(v.condition.lhs, v.condition.rhs, relation=v.condition.relation), " is ",
-         math(v.parameter, v.bound.shown(digits), relation=v.relation))
-        for v in critical
-    ]  # fmt: skip
+    clauses = [(condition, " is ", bound) for condition, bound in _critical_values(view, values, digits)]
     if clauses:
         yield prose("With the given values, ", *series(clauses), ".", detail=Detail.BRIEF)
+
+
+def _critical_values(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple[Part, Part]]:
+    """Conditions and what they are with the given values: k l > P and P < 100 N."""
+    for v in critical_values(view.equilibrium, view.stability, view.linearization, values):
+        bound = math(v.parameter, v.bound.shown(digits), relation=v.relation)
+        yield math(v.condition.lhs, v.condition.rhs, relation=v.condition.relation), bound
+
+
+def _with_bounds(block: Block, critical: Mapping[Part, Part]) -> Block:
+    """The box at the head with critical values in numbers beside conditions: P < (3 − √5) k l/2, that is P < 3820 N."""
+    if not isinstance(block, Display) or not critical:
+        return block
+
+    def beside(part: Part) -> tuple[Part, ...]:
+        return (part, ", that is ", critical[part]) if part in critical else (part,)
+
+    return block.map(lambda e: replace(e, condition=tuple(p for part in e.condition for p in beside(part))))
 
 
 def _determines_forces(view: InCoordinates) -> bool:
@@ -403,6 +416,11 @@ def _equilibria(view: InCoordinates, in_numbers: EquilibriaInNumbers, digits: in
         yield from _decays(view, in_numbers, called, digits)
     if in_numbers.numerical is not None:
         yield _searched(in_numbers.numerical, any(p.branch is not None for p in in_numbers.positions), digits)
+    if slack := in_numbers.slack:
+        number = len(slack)
+        words = plural(number, "One of them is no equilibrium", f"{number} of them are no equilibria")
+        places = series((listed(math(q, x.shown(digits)) for q, x in p.coordinates.items()) for p in slack), "; at ")
+        yield prose(words, ": at ", *places, " a contact would have to pull, or a string to push.", detail=Detail.BRIEF)
     if in_numbers.absent:
         one = plural(len(in_numbers.absent), " has no real position", " have no real positions")
         yield prose(*listed(called(n) for n in in_numbers.absent), f"{one} with these values.", detail=Detail.BRIEF)

@@ -128,13 +128,12 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
 
 
 def _asks_at_rest(problem: Problem) -> bool:
-    """Whether the questions of a file are about a system at rest, with dry friction at its limit."""
+    """Whether the questions of a file are about a system at rest."""
     if Find.MOTION in problem.find or not {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} or not problem.questions:
         return False
     from lagrange.mechanics.questions.at_rest import are_about_rest
 
-    rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
-    return are_about_rest(problem) and (not rough or Find.IMPENDING in problem.find)
+    return are_about_rest(problem)
 
 
 def _stages(
@@ -496,6 +495,7 @@ def _with_numbers(solution: Solution) -> Solution:
         return solution
     values = values or no_values(solution.problem)
     from lagrange.mechanics.equilibrium.in_numbers import equilibria_in_numbers, oscillations_in_numbers
+    from lagrange.mechanics.equilibrium.searched.reactions_found import with_reactions
 
     def in_numbers(view: InCoordinates) -> InCoordinates:
         numbers = None
@@ -503,7 +503,8 @@ def _with_numbers(solution: Solution) -> Solution:
             numbers = oscillations_in_numbers(view.linearization, values, view.equilibrium, view.stability)
         elif view.equilibrium is not None:
             numbers = equilibria_in_numbers(view.equilibrium, view.stability, values)
-        return view if numbers is None else replace(view, in_numbers=numbers)
+        resting = solution.own.equilibrium
+        return replace(view, in_numbers=with_reactions(numbers, view.configuration, resting, solution.law, values))
 
     return replace(solution, own=in_numbers(solution.own), choices=tuple(map(in_numbers, solution.choices)))
 
@@ -544,14 +545,13 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
 
 def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the answers to questions about positions of equilibrium."""
-    from lagrange.mechanics.questions.at_rest import answers_at_rest, check_answers_at_rest, position_of_rest
+    from lagrange.mechanics.questions.at_rest import answers_at_rest, law_of_rest
 
     on_stage("questions")
-    problem = solution.problem
-    resting = position_of_rest(solution.own.equilibrium, solution.own.impending, problem.questions[0])
+    problem, own = solution.problem, solution.own
     newton = solution.law.newton if solution.law else None
-    asked = answers_at_rest(problem, resting, newton, solution.own.stability)
-    checks = check_answers_at_rest(asked, problem, resting, newton)
+    law = law_of_rest(problem, own.configuration, own.equilibrium, own.impending, newton)
+    asked, checks = answers_at_rest(problem, law, newton, own.stability)
     return replace(solution, asked=asked, checks=(*solution.checks, *checks))
 
 

@@ -234,6 +234,11 @@ def test_critical_values(text: str, left_out: str, shown: str, critical: tuple[s
     assert (name, relation, pytest.approx(number), unit) in found
 
 
+def test_a_critical_value_stands_beside_its_condition_at_the_head() -> None:
+    head = page(reported(COLUMN.replace("P: {value: 30 N}", "P: positive")), 200).partition("1  The system")[0]
+    assert "that is P < 100 N" in head
+
+
 def test_given_values_stand_in_the_statement() -> None:
     text = PENDULUM.replace("find:", "forces: {wind: {generalized: {theta: m*g*l*sin(alpha)}}}\nfind:")
     text = text.replace("parameters: {", "parameters: {alpha: 30 deg, ")

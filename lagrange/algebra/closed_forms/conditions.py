@@ -29,7 +29,7 @@ from lagrange.algebra.closed_forms.limits import (
     MOST_CONDITIONS,
 )
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
@@ -54,6 +54,8 @@ def further_conditions(
 
     Conditions that are no polynomials in positive parameters are left as they are, but that p > 0 makes p ≠ 0 needless.
     """
+    positive = [positive_part(c) for c in (*conditions, *known) if c.relation in "<>"]
+    conditions = [_without_modulus(c, positive) for c in conditions] if positive else conditions
     asked, others = _bounds(conditions)
     given, _ = _bounds(known)
     if len(others) > 1:
@@ -72,6 +74,20 @@ def further_conditions(
         return None
     stated = [b.stated or _written(b) for b in shorter]
     return tuple(dict.fromkeys((*stated, *others)))
+
+
+def _without_modulus(c: SignCondition, positive: Sequence[sp.Expr]) -> SignCondition:
+    """N |1/D| ≤ 1 as D ≥ N, where other conditions decide the sign of D: k R ≥ 2 W where k R > W."""
+    moduli = c.lhs.atoms(sp.Abs)
+    if not moduli or c.relation != "≤":
+        return c
+    signs = {m: sign_on(m.args[0], positive) for m in moduli}
+    above, below = sp.fraction(sp.together(c.lhs.xreplace({m: (sign or 0) * m.args[0] for m, sign in signs.items()})))
+    side = sign_on(below, positive)
+    if not all(signs.values()) or side not in (1, -1):
+        return c
+    further = not_negative(side * (below * c.rhs - above), positive)
+    return further[0] if further else c
 
 
 def with_shortest_conditions(branches: Sequence[Branch]) -> list[Branch]:

@@ -311,6 +311,12 @@ _OPERATIONS: tuple[Operation, ...] = (
 )
 RealPoint.operations = _OPERATIONS
 
+# On the way to a position where several angles vanish their product is soon small, which decides nothing there.
+_APPROXIMATE = tuple(
+    {_product: lambda _, v, data: _mp.fprod([v[n] for n in data])}.get(operation, operation)
+    for operation in _OPERATIONS
+)
+
 
 def newton_point(point: RealPoint, constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> bool:
     """Move the coordinates of a point onto the surface; whether that succeeded. The point is changed."""
@@ -333,6 +339,7 @@ def _iterate(
     tiny = point.number(1, 10 ** (REAL_DIGITS - 8))
     for _ in range(NEWTON_STEPS):
         trial = point.with_values(dict(zip(coordinates, values, strict=True)))
+        trial.operations = _APPROXIMATE
         f = [trial.at(n) for n in residual]
         if max(abs(x) for x in f) < tiny:
             point.move(dict(zip(coordinates, values, strict=True)))

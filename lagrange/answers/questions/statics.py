@@ -28,7 +28,6 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.nearby.one_state import RestInNumbers
 from lagrange.mechanics.results import Solution
-from lagrange.problem.values import values_of
 
 
 def check_statics_answers(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
@@ -117,17 +116,14 @@ def reactions_at_rest(solution: Solution) -> StatedReactionsAtRest | None:
 
 def _forces_in_numbers(solution: Solution) -> Iterator[Mapping[sp.Symbol, sp.Expr]]:
     """The named forces at each equilibrium in the file's coordinates, where these are all found in numbers."""
-    from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
-
-    own, values = solution.own, values_of(solution.problem)
-    if own.in_numbers is None or own.in_numbers.numerical is None or own.equilibrium is None or values is None:
+    own = solution.own
+    if own.in_numbers is None or own.in_numbers.numerical is None:
         return
     positions = own.in_numbers.positions
     if solution.law is None or not own.in_numbers.numerical.complete or any(p.branch is not None for p in positions):
         return
     for p in positions:
-        forces = reactions_found(p.coordinates, own.equilibrium, solution.law.newton, values)
-        yield {name: x.formula for name, x in forces.items()}
+        yield {name: x.formula for name, x in p.forces.items()}
 
 
 # Positions in numbers

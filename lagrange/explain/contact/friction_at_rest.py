@@ -28,6 +28,16 @@ from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 ZERO = sp.S.Zero
 
 
+def _place(rest: AtRest) -> Iterator[Block]:
+    """The position that the constraints hold, up to a displacement of the whole."""
+    if rest.place:
+        values = listed(math(q, v) for q, v in rest.place.items())
+        yield prose("Up to a displacement of the whole the constraints give ", *values, ", as used from here on.")
+    for other in rest.elsewhere:
+        differing = listed(math(q, v) for q, v in other.items() if rest.place.get(q) != v)
+        yield prose("They also admit ", *differing, "; there rest is impossible, or needs more friction than here.")
+
+
 def explain_rest(rest: AtRest, newton: Newton) -> Step:
     """The equations of balance, the forces, the conditions."""
     suffix = suffix_of(rest.name)
@@ -39,6 +49,7 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
         pairs = listed(math(q, e) for q, e in rest.lengths.values.items())
         nonzero = series((math(e, ZERO, relation="≠"),) for e in rest.lengths.nonzero)
         body.append(prose("The constraints give ", *pairs, *((", where ", *nonzero) if nonzero else ()), "."))
+    body += _place(rest)
     if rest.balance:
         moments = " and moments" if rest.configuration.rotations else ""
         body.append(prose(f"At rest the forces{moments} balance:"))

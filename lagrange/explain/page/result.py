@@ -61,7 +61,6 @@ from lagrange.mechanics.rewriting.held_coordinates import (
 )
 from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, by_one_velocity
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations, are_same_formulas
-from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
@@ -422,8 +421,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
         newton = None if solution.law is None else solution.law.newton
         held = solution.classification.degrees_of_freedom == 0
         yield from result_at_rest(view, values, newton, held=held, sought=solution.problem.unknowns)
-        known = values_of(solution.problem) if newton is not None and view.is_own else None
-        if newton is not None and known is not None and (found := reactions_of_only_root(view, newton, known)):
+        if view.is_own and (found := reactions_of_only_root(view)):
             yield Rule.SOLVED_REACTIONS, found
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)

@@ -32,7 +32,7 @@ from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
 from lagrange.mechanics.rewriting.readable_forms import divisors
-from lagrange.values.quantities import Quantity, Values, degrees
+from lagrange.values.quantities import Quantity, degrees
 
 
 def result_at_rest(
@@ -140,16 +140,13 @@ def _degrees(x: Quantity) -> tuple[sp.Expr, ...]:
     return (degrees(x.formula, RESULT_DIGITS),) if x.unit == "rad" else ()
 
 
-def reactions_of_only_root(view: InCoordinates, newton: Newton, values: Values) -> list[Equation]:
+def reactions_of_only_root(view: InCoordinates) -> list[Equation]:
     """The named reactions at the only equilibrium, where that was found in numbers and they are not."""
-    from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
-
-    numbers, rest = view.in_numbers, view.equilibrium
     stated = view.reactions_at_rest is not None and any(there is not None for there in view.reactions_at_rest.at)
-    if numbers is None or rest is None or stated or [p.branch for p in numbers.positions] != [None]:
+    if view.in_numbers is None or stated or len(view.in_numbers.positions) != 1:
         return []
-    forces = reactions_found(numbers.positions[0].coordinates, rest, newton, values)
-    return [Equation((name, x.shown(RESULT_DIGITS)), relation="≈") for name, x in forces.items()]
+    [only] = view.in_numbers.positions
+    return [Equation((name, x.shown(RESULT_DIGITS)), relation="≈") for name, x in only.forces.items()]
 
 
 def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part, ...]:

@@ -139,7 +139,10 @@ def virtual_displacements(system: ConstrainedSystem, first: Collection[int] = ()
 
 
 def _open(system: ConstrainedSystem, first: Collection[int]) -> Elimination:
-    """Which displacements are independent, found at a random point; nothing is solved."""
+    """Which displacements are independent, found at a random point; nothing is solved.
+
+    Where none is, and no constraint moves, all δq are zero, however long the forms.
+    """
     order = sorted(range(system.size), key=lambda k: k not in first)
 
     def at(point: Point) -> tuple[list[int], list[int]]:
@@ -152,6 +155,8 @@ def _open(system: ConstrainedSystem, first: Collection[int]) -> Elimination:
     dependent = tuple(order[k] for k in columns)
     independent = tuple(k for k in range(system.size) if k not in dependent)
     unused = tuple(k for k in range(len(system.rows)) if k not in used)
+    if not independent and not any(row.drift for row in system.rows):
+        return Elimination((), dependent, ((),) * system.size, (sp.S.Zero,) * system.size, (), unused)
     return Elimination(independent, dependent, (), (), (), unused, is_closed=False)
 
 

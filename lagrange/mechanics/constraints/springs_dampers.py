@@ -96,8 +96,7 @@ def stretched_springs(problem: Problem) -> tuple[StretchedSpring, ...]:
     for f in problem.forces:
         if isinstance(f, Spring):
             apart = f.ends[0] - f.ends[1]
-            sense = f.sense if f.sense is not None else _sense_in_range(problem, apart)
-            length = _distance(apart) if sense is None else -sense * sp.Add(*apart.components)
+            length = _signed(_distance(apart), problem) if f.sense is None else -f.sense * sp.Add(*apart.components)
             springs.append(StretchedSpring(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
     return tuple(springs)
 
@@ -157,21 +156,19 @@ def _named(ends: tuple[Vector, Vector], problem: Problem) -> tuple[str | Vector,
     return first, second
 
 
-def _sense_in_range(problem: Problem, apart: Vector) -> int | None:
-    """The sense of a spring on a line, where the ranges of the coordinates decide it; otherwise None."""
-    parts = [c for c in apart.components if c != 0]
+def _signed(length: sp.Expr, problem: Problem) -> sp.Expr:
+    """A length without the moduli whose sign the ranges of the coordinates decide: 2R cos θ for −80° ≤ θ ≤ 80°."""
     ranges = {q.symbol: q.range for q in problem.coordinates if q.range is not None}
-    if len(parts) != 1 or not ranges:
-        return None
-    for sense in (1, -1):
-        ahead = sp.expand(-sense * parts[0])
-        if _is_never_negative(ahead, ranges):
-            return sense
-        least = ahead.xreplace({q: r.low if ahead.coeff(q).is_nonnegative else r.high for q, r in ranges.items()})
-        linear = all(ahead.diff(q).is_number for q in ranges)
-        if linear and least.is_finite is not False and least.is_nonnegative:
-            return sense
-    return None
+    moduli = {m: sp.expand(m.args[0]) for m in length.atoms(sp.Abs)} if ranges else {}
+    known = {m: e for m, x in moduli.items() for e in (-x, x) if _is_positive_within(e, ranges)}
+    return length.xreplace(known) if known else length
+
+
+def _is_positive_within(e: sp.Expr, ranges: Mapping[sp.Symbol, Range]) -> bool:
+    """Whether an expression is not negative where the coordinates are in their ranges."""
+    least = e.xreplace({q: r.low if e.coeff(q).is_nonnegative else r.high for q, r in ranges.items()})
+    linear = all(e.diff(q).is_number for q in ranges)
+    return _is_never_negative(e, ranges) or bool(linear and least.is_finite is not False and least.is_nonnegative)
 
 
 def _is_never_negative(e: sp.Expr, ranges: Mapping[sp.Symbol, Range]) -> bool:

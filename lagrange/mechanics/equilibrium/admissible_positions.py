@@ -39,6 +39,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import further_conditions
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, with_shares_of_pi
@@ -71,6 +72,11 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     known = tuple(c for q, r in ranges.items() for c in _known(q, r, solution))
     more = [c for q, r in ranges.items() for c in _conditions(q, r, kept, solution, positive)]
     conditions = tuple(dict.fromkeys([*b.conditions, *more]))
+    if more and any(c.lhs.has(sp.Abs) for c in conditions):
+        shorter = further_conditions(conditions)
+        if shorter is None:
+            return None
+        conditions = shorter
 
     def inside(q: sp.Symbol, value: sp.Expr) -> bool:
         turned = [_is_between(value + turn, ranges[q]) for turn in (0, 2 * sp.pi, -2 * sp.pi) if q in ranges]
@@ -146,16 +152,19 @@ def _sign(e: sp.Expr, point: Values, solution: SolutionSet, positive: Sequence[s
 def _conditions(
     q: sp.Symbol, limits: Range, points: tuple[Values, ...], solution: SolutionSet, positive: Sequence[sp.Expr]
 ) -> Iterator[SignCondition]:
-    """What has to hold for a coordinate that is no angle to be in its range."""
-    if q in solution.letters.angles or len(points) != 1:
-        return
-    for e in distances(q, limits, False)[0]:
+    """What has to hold for a coordinate to be in its range; of an angle, the signs of sine and cosine there."""
+    for c in _known(q, limits, solution):
         try:
-            value = solution.at(points[0], e)
+            values = {solution.at(p, c.lhs) for p in points}
         except (NotAlgebraicError, DivisionByZeroError):
             continue
-        if not value.free_symbols & {*solution.unknowns} and count_operations(value) <= LONGEST_RANGE_CONDITION:
+        value = values.pop()
+        if values or value.free_symbols & {*solution.unknowns} or count_operations(value) > LONGEST_RANGE_CONDITION:
+            continue
+        if c.relation == "≥" or sign_of(value, positive) is not None:
             yield from not_negative(value, positive) or ()
+        else:
+            yield more_than_zero(value)
 
 
 def _known(q: sp.Symbol, limits: Range, solution: SolutionSet) -> Iterator[SignCondition]:

@@ -80,6 +80,7 @@ class Position:
     stability     None if nothing was asked or can be said
     oscillations  about it; empty if they are not asked, or it is not stable
     decays        with damping: the modes about it, likewise
+    forces        the named reactions there, if it was found numerically (`searched.reactions_found`)
     """
 
     branch: int | None
@@ -87,6 +88,7 @@ class Position:
     stability: StabilityVerdict | None = None
     oscillations: tuple[Oscillation, ...] = ()
     decays: tuple[Decay, ...] = ()
+    forces: Mapping[sp.Symbol, Quantity] = field(default_factory=dict)
 
 
 @record
@@ -97,6 +99,7 @@ class EquilibriaInNumbers:
     absent     the branches, by index, that have no point with these values
     numerical  the search for those that are not in closed form; its roots are among the positions
     units      the dimensions that are known
+    slack      its roots at which a contact would have to pull, or a string to push, which are not
     """
 
     unknowns: tuple[sp.Symbol, ...]
@@ -105,6 +108,7 @@ class EquilibriaInNumbers:
     absent: tuple[int, ...] = ()
     numerical: NumericalEquilibria | None = None
     units: Mapping[sp.Symbol, Dimension] = field(default_factory=dict)
+    slack: tuple[Position, ...] = ()
 
 
 def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values: Values) -> EquilibriaInNumbers | None:

@@ -73,6 +73,8 @@ MOST_CASES = 3
 # Orders in which the forces of one-sided constraints are eliminated: the last ones remain open.
 MOST_ORDERS = 6
 LONGEST_SLACK = 400
+# Coordinates among which those are sought that grow together in a displacement of the whole: 255 sums of derivatives.
+MOST_SHIFTED = 8
 # Static friction entries of a problem: each open sense doubles the cases of impending motion.
 MOST_ROUGH_CONTACTS = 6
 # Units of work (`core.effort`) for friction at rest [750]. Of a wedge with three rough faces only impending motion is

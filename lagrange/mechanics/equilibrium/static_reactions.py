@@ -190,6 +190,11 @@ def _one_sided(found: Reactions, newton: Newton) -> dict[str, sp.Expr]:
     return {name: found.tensions[name] for name in strings} | dict(found.contacts)
 
 
+def is_one_sided(r: Reaction) -> bool:
+    """Whether a named force cannot be negative: of a contact, or the tension of a string."""
+    return r.named and (r.constraint.side is not None or (_is_string(r) and r.tension is not None))
+
+
 def _is_string(r: Reaction) -> bool:
     by = r.constraint.by
     return by is Keeper.STRING or (by is None and is_called_string(r.name))

@@ -6,7 +6,8 @@ At rest the forces balance for each coordinate of the file,
 
 with the multipliers λ of all constraints. Together with the constraints and the conditions of the question, these are
 equations for coordinates, unknown forces and multipliers, from which the quantity is eliminated. Positions outside of
-the ranges of the coordinates do not count.
+the ranges of the coordinates do not count. Friction at its limit is part of Q, and the law of a belt is one equation
+more; friction at rest that is not at its limit is one unknown force more in each contact.
 
 The second route puts each position into Lagrange's equations at rest, in numbers.
 
@@ -34,11 +35,14 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.records import record
 from lagrange.core.symbols import base, t
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
-from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, virtual_work
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import rough_contacts
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
@@ -46,6 +50,7 @@ from lagrange.mechanics.questions.forms import joined_conditions, settled
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.ranges import in_ranges
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted
+from lagrange.problem.keys import Find
 from lagrange.problem.model import Problem, Question
 
 _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
@@ -60,16 +65,53 @@ def are_about_rest(problem: Problem) -> bool:
     return not problem.initial and t not in symbols and all(base(s) == s for s in symbols)
 
 
-def position_of_rest(
-    equilibrium: Equilibrium | None, impending: Sequence[ImpendingMotion] | None, first: Question
-) -> Equilibrium:
-    """The equilibrium in the file's coordinates, with friction the one at its limit.
+@record
+class RestLaw:
+    """The equations of rest in the file's coordinates, without the reactions.
 
-    first  the question to be named where friction may act in several senses, or the limit was found in other
-           coordinates: a ProblemError
+    forces       shape (n,): Q_k, with the friction
+    laws         further equations, each zero
+    friction     the unknown forces of friction among them
+    equilibrium  with friction the one at its limit; None where friction is not at its limit
     """
-    if equilibrium is not None:
-        return equilibrium
+
+    configuration: Configuration
+    forces: tuple[sp.Expr, ...]
+    laws: tuple[sp.Expr, ...] = ()
+    friction: tuple[sp.Symbol, ...] = ()
+    equilibrium: Equilibrium | None = None
+
+    def shares_of_friction(self) -> list[sp.Expr]:
+        """The parts of Q_k that are friction not at its limit."""
+        smooth = dict.fromkeys(self.friction, sp.S.Zero)
+        return [q - q.xreplace(smooth) for q in self.forces]
+
+
+def law_of_rest(
+    problem: Problem,
+    configuration: Configuration,
+    equilibrium: Equilibrium | None,
+    impending: Sequence[ImpendingMotion] | None,
+    newton: Newton | None,
+) -> RestLaw:
+    """The equations of rest in the file's coordinates; with `find: impending`, with friction at its limit.
+
+    Raises ProblemError where friction at its limit may act in several senses, or was found in other coordinates.
+    """
+    if equilibrium is None and Find.IMPENDING not in problem.find and newton is not None:
+        contacts = rough_contacts(problem, newton, configuration, configuration)
+        friction = [
+            [f * row[k] for c in contacts for f, row in zip(c.components, c.generalized, strict=True)]
+            for k in range(len(configuration.slots.coordinates))
+        ]
+        forces = tuple(sp.Add(q, *f) for q, f in zip(virtual_work(configuration).forces, friction, strict=True))
+        return RestLaw(configuration, forces, friction=tuple(f for c in contacts for f in c.components))
+    resting = equilibrium or _at_its_limit(impending, problem.questions[0])
+    return RestLaw(resting.configuration, resting.work.forces, resting.laws, equilibrium=resting)
+
+
+def _at_its_limit(impending: Sequence[ImpendingMotion] | None, first: Question) -> Equilibrium:
+    """The only equilibrium with friction at its limit. Raises ProblemError naming the first question."""
     if impending is not None and len(impending) == 1:
         return impending[0].equilibrium
     if impending:
@@ -82,32 +124,31 @@ def position_of_rest(
 
 
 def answers_at_rest(
-    problem: Problem, resting: Equilibrium, newton: Newton | None, second: SecondVariation | None = None
-) -> tuple[Asked, ...]:
-    """The answers to all questions.
+    problem: Problem, law: RestLaw, newton: Newton | None, second: SecondVariation | None = None
+) -> tuple[tuple[Asked, ...], list[Check]]:
+    """The answers to all questions, and the checks of these.
 
-    resting  the equilibrium in the file's coordinates
     newton   the reactions; None without constraints
-    second   the stability of its branches
+    second   the stability of the branches of equilibrium
 
     Raises ProblemError if nothing determines the quantity, or the conditions hold in no position of equilibrium.
     """
     reactions = () if newton is None else newton.reactions
-    balance = [
-        sp.Add(q, *(r.multiplier * r.row.coefficients[k] for r in reactions)) for k, q in enumerate(resting.work.forces)
-    ]
-    return tuple(_answer(q, problem, resting, reactions, balance, second) for q in problem.questions)
+    balance = [sp.Add(q, *(r.multiplier * r.row.coefficients[k] for r in reactions)) for k, q in enumerate(law.forces)]
+    balance += [e.xreplace({r.force: r.multiplier / r.per_force for r in reactions}) for e in law.laws]
+    asked = tuple(_answer(q, problem, law, reactions, balance, second) for q in problem.questions)
+    return asked, _checks(asked, problem, law, newton)
 
 
 def _answer(
     question: Question,
     problem: Problem,
-    resting: Equilibrium,
+    law: RestLaw,
     reactions: Sequence[Reaction],
     balance: list[sp.Expr],
     second: SecondVariation | None,
 ) -> Asked:
-    configuration = resting.configuration
+    configuration = law.configuration
     sizes = {r.force: r.single.factor * r.multiplier for r in reactions if r.single is not None and r.named}
     sizes |= {
         r.symbol: r.single.factor * r.multiplier for r in reactions if r.single is not None and r.symbol is not None
@@ -121,7 +162,7 @@ def _answer(
     parameters = {p.symbol for p in problem.parameters}
     wanted = sorted(question.quantity.free_symbols & parameters, key=str)
     is_parameter = bool(wanted) and question.quantity.free_symbols <= parameters
-    unknowns = [*configuration.slots.coordinates, *problem.unknowns, *(r.multiplier for r in reactions)]
+    unknowns = [*configuration.slots.coordinates, *problem.unknowns, *(r.multiplier for r in reactions), *law.friction]
     unknowns += wanted[:1] if is_parameter else []
     if question.by is not None:
         unknowns.remove(question.by)
@@ -137,9 +178,9 @@ def _answer(
     if elimination.never or (elimination.solved and not elimination.free and not kept):
         raise ProblemError(_never_holds(question))
     if elimination.solved and elimination.free:
-        limit = critical_value(wanted[0], conditions, resting, second) if wanted == [question.quantity] else None
+        limit = critical_value(wanted[0], conditions, law, second) if wanted == [question.quantity] else None
         if limit is None:
-            raise ProblemError(_not_determined(question, elimination))
+            raise ProblemError(_not_determined(question, elimination, law))
         return Asked(
             question,
             configuration.name,
@@ -235,18 +276,20 @@ def _never_holds(question: Question) -> Diagnostic:
     return Diagnostic("never-holds", message, first, help=help_)
 
 
-def _not_determined(question: Question, elimination: Eliminated) -> Diagnostic:
+def _not_determined(question: Question, elimination: Eliminated, law: RestLaw) -> Diagnostic:
     listed = ", ".join(f"`{s}`" for s in sorted(elimination.free, key=str))
     message = f"the quantity of the question `{question.name}` is not determined: it depends on {listed}"
     help_ = "say in which position it is wanted, with `when`"
     if question.when and elimination.free == {question.quantity}:
         help_ = "there the forces balance for every value; what is stable is said with the equilibria, so leave it out"
+    if law.friction:
+        help_ = (
+            "friction that is not at its limit may have several values: `find: impending` asks for those at the limit"
+        )
     return Diagnostic("not-determined", message, question.written.whole, help=help_)
 
 
-def check_answers_at_rest(
-    asked: Sequence[Asked], problem: Problem, resting: Equilibrium, newton: Newton | None
-) -> list[Check]:
+def _checks(asked: Sequence[Asked], problem: Problem, law: RestLaw, newton: Newton | None) -> list[Check]:
     """That the answers satisfy their equations, and that Lagrange's equations hold at rest with them."""
     exact = [a for a in asked if a.answered]
     if not exact:
@@ -254,22 +297,24 @@ def check_answers_at_rest(
     verdicts = [a.verified for a in exact]
     satisfied = False if False in verdicts else None if None in verdicts else True
     checks = [Check("the answers to the questions satisfy the equations they were found from", satisfied, "exact")]
-    results = [r for a in exact for r in _at_sampled_values(a, problem, resting, newton)]
+    results = [r for a in exact for r in _at_sampled_values(a, problem, law, newton)]
     if results:
         name = "the conditions and quantities of the questions, from Lagrange's equations in numbers"
         checks.append(Check(name, all(results), f"at sampled values, {len(results)} states"))
     return checks
 
 
-def _at_sampled_values(asked: Asked, problem: Problem, resting: Equilibrium, newton: Newton | None) -> Iterator[bool]:
+def _at_sampled_values(asked: Asked, problem: Problem, law: RestLaw, newton: Newton | None) -> Iterator[bool]:
     """Whether Lagrange's equations can be satisfied at rest in the positions of an answer, and give its value."""
-    configuration = resting.configuration
+    configuration = law.configuration
     slots = configuration.slots
     still = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
     reactions = () if newton is None else newton.reactions
     equations = [
-        sp.Add(left.xreplace(still), *(-r.multiplier * r.row.coefficients[k] for r in reactions))
-        for k, left in enumerate(lagrange_equations(configuration).left)
+        sp.Add(left.xreplace(still), -share, *(-r.multiplier * r.row.coefficients[k] for r in reactions))
+        for k, (left, share) in enumerate(
+            zip(lagrange_equations(configuration).left, law.shares_of_friction(), strict=True)
+        )
     ]
     numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     open_ = [p.symbol for p in problem.parameters if p.value is None]
@@ -300,10 +345,10 @@ class _OpenError(Exception):
 
 
 def critical_value(
-    parameter: sp.Symbol, when: Sequence[Condition], resting: Equilibrium, second: SecondVariation | None
+    parameter: sp.Symbol, when: Sequence[Condition], law: RestLaw, second: SecondVariation | None
 ) -> AnswerBranch | None:
     """The value of a parameter at which the equilibrium that `when` names becomes unstable; None if not found."""
-    there = [*_branches_where(when, resting)]
+    there = [] if law.equilibrium is None else [*_branches_where(when, law.equilibrium)]
     if second is None or len(there) != 1:
         return None
     [(n, state)] = there

@@ -71,6 +71,9 @@ CASES = [
         [condition(k + l, ">", c), condition(P, "≥", m)],
     ),
     ([condition(k + l, "≥", m + g), condition(m + g, "≠", k + l)], [condition(k + l, ">", m + g)]),
+    # |N/D| ≤ 1 where D has a sign.
+    ([condition(sp.Abs(k / (2 * (k - m))), "≤", 1), condition(k, ">", m)], [condition(k, "≥", 2 * m)]),
+    ([condition(sp.Abs(k / (2 * (k - m))), "≤", 1), condition(m, ">", k)], [condition(2 * m, "≥", 3 * k)]),
 ]  # fmt: skip
 
 

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.real_points import Reals, _rough_step, _smallest_step
-from lagrange.algebra.exact.zero_test import InadmissibleError, Point, Surface
+from lagrange.algebra.exact.zero_test import InadmissibleError, Point, Surface, has_real_point
 from lagrange.core.symbols import Sign
 from tests.support.points import close, real_point
 
@@ -83,3 +83,12 @@ def test_rounding_is_not_magnified_into_what_is_not_zero() -> None:
     v = sp.Symbol("v", positive=True)
     halved = sp.sin(sp.acos(1 - v**2 / 2) / 4) - sp.sqrt(sp.Rational(1, 2) - sp.sqrt(4 - v**2) / 4)
     assert {Surface().is_zero(halved) for _ in range(3)} == {None}
+
+
+def test_a_position_where_several_angles_vanish_is_reached() -> None:
+    """On the way there the product of their sines is soon too small to be told from zero, which decides nothing."""
+    x, y, z = sp.symbols("x y z", real=True)
+    product = sp.sin(x) * sp.sin(y) * sp.sin(z)
+    constraints = (sp.sin(x) + product, sp.sin(y) - 2 * product, sp.sin(z) + sp.sin(x) * sp.sin(y) + 3 * product)
+    surface = Surface(constraints, (x, y, z))
+    assert has_real_point(surface)

@@ -106,3 +106,32 @@ def test_a_surface_has_a_normal_and_dr_is_tangent_to_it_where_it_stands(problem)
 )
 def test_what_binds_more_than_one_particle_has_no_normal(problem, text):
     assert solve(problem(f"title: A problem\nfind: constraints\n{text}")).normals == ()
+
+
+PLATE = """title: plate on two hinges and a cable
+parameters: [W, a, b, h]
+coordinates: [x, y, z, alpha, beta, gamma]
+bodies: {plate: {position: "[x, y, z]", orientation: {axes: 123, angles: [alpha, beta, gamma]}}}
+let:
+  p_A: r_plate - a/2*e1_plate - b/2*e2_plate
+  p_B: r_plate + a/2*e1_plate - b/2*e2_plate
+  p_C: r_plate + a/2*e1_plate + b/2*e2_plate
+constraints:
+  A_x: "dot(p_A, i) = 0"
+  A_y: "dot(p_A, j) = 0"
+  A_z: "dot(p_A, k) = 0"
+  B_y: "dot(p_B, j) = 0"
+  B_z: "dot(p_B, k) = 0"
+  cable: norm(p_C - h*k) = sqrt(a^2 + b^2 + h^2)
+find: constraints
+"""
+
+
+def test_what_is_held_altogether_has_no_displacement_however_long_its_forms(problem):
+    """The edge AB lies on the x axis, the cable stops the turning about it: six constraints, six coordinates."""
+    solution = solve(problem(PLATE))
+    elimination = solution.own.elimination
+    assert solution.classification.degrees_of_freedom == 0
+    assert elimination.is_closed
+    assert elimination.independent == ()
+    assert elimination.solution == ((),) * 6

@@ -117,6 +117,17 @@ def test_a_range_of_an_angle_decides_it(place: str, low: str, high: str, distanc
     assert str(spring.distance) == distance
 
 
+def test_a_range_decides_the_length_of_a_chord() -> None:
+    """From the highest point of a hoop to a collar: 2R |cos x|, cos x > 0 for |x| < 80 deg."""
+    problem = lagrange.loads(
+        "title: T\nparameters: [R, c]\ncoordinates: {x: {range: [-80 deg, 80 deg]}}\n"
+        "particles: {P: {position: 2*R*cos(x)*(sin(x)*i - cos(x)*j)}}\n"
+        "forces: {s: {spring: c, between: [O, P], length: R}}\n"
+    )
+    [spring] = stretched_springs(problem)
+    assert str(spring.distance) == "2*R*cos(x)"
+
+
 def test_a_potential_has_the_extension_and_not_its_negative() -> None:
     problem = lagrange.loads(ON_A_LINE.format(ends="O, P", more=", length: l, sense: positive"))
     [spring] = stretched_springs(problem)

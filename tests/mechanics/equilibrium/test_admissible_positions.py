@@ -146,6 +146,21 @@ def test_a_range_that_depends_on_a_parameter_is_a_condition() -> None:
     assert as_object(result)["equilibrium_conditions"] == [["a*k >= m*g"]]
 
 
+def test_the_sign_of_a_cosine_in_its_range_is_a_condition() -> None:
+    """cos x = k R/(2 (k R - W)) within 80 deg of 0 needs k R > W, and so k R >= 2 W; there V'' = 4 R (k R - W) sin(x)^2."""
+    text = """title: collar on a vertical hoop
+parameters: [W, k, R]
+coordinates: {x: {range: [-80 deg, 80 deg]}}
+particles: {P: {position: 2*R*cos(x)*(sin(x)*i - cos(x)*j)}}
+forces:
+  weight: {on: P, vector: -W*j}
+  spring: {spring: k, between: [O, P], length: R}
+"""
+    result = as_object(solved(text))
+    assert result["equilibrium_conditions"] == [[], ["k*R >= 2*W"]]
+    assert result["stability"] == ["conditional", "stable"]
+
+
 def test_the_conditions_of_a_branch_tell_on_which_side_it_lies() -> None:
     """On a table that turns, (k − m w²) r = k l for r > 0; k l/(m w² − k) has r < 0 where k > m w²."""
     result = solved("""title: Mass on a turning table

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import cos, isclose, pi, sin, sqrt
+from math import cos, exp, isclose, pi, sin, sqrt
 
+import pytest
 import sympy as sp
 
-from lagrange.core.diagnostics import Source
+from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 
@@ -156,3 +157,76 @@ def test_an_edge_that_would_have_to_pull_is_no_answer() -> None:
         assert b.excluded_by({r: sp.Integer(2), h: sp.Integer(3)})
         assert not b.excluded_by({r: sp.Integer(5), h: sp.Integer(2)})
     assert pressure.branches[0].rhs.xreplace({W: 6, r: 5, h: 2}) == 10
+
+
+MOTOR = """
+title: Motor whose weight keeps a belt tight
+parameters: {W: 500 N, c: 0.3 m, h: 0.2 m, r: 80 mm, mu: 0.35}
+unknowns: [M, T_1, T_2]
+coordinates: {theta: angle of the base, phi: angle of the pulley}
+bodies:
+  base: {position: 0*i, angle: theta}
+  pulley: {position: c*e1_base + h*e2_base, angle: phi}
+forces:
+  weight: {on: pulley, vector: -W*j}
+  upper: {on: pulley, vector: -T_1*i, at: r_pulley + r*j}
+  lower: {on: pulley, vector: -T_2*i, at: r_pulley - r*j}
+  motor: {on: pulley, moment: M*k}
+  stator: {on: base, moment: -M*k}
+  belt: {belt: mu, angle: pi, tight: T_2, slack: T_1}
+find: impending
+ask:
+  greatest: {quantity: M, when: theta = 0}
+"""
+
+
+def test_the_law_of_a_belt_at_its_limit_determines_the_moment() -> None:
+    """Moments about the hinge: T_1 (h + r) + T_2 (h - r) = W c, with T_2 = T_1 exp(pi mu) and M = (T_2 - T_1) r."""
+    solution = solve(read_problem(Source("motor.yaml", MOTOR)))
+    [greatest] = solution.asked
+    ratio = exp(0.35 * pi)
+    slack = 500 * 0.3 / (0.28 + 0.12 * ratio)
+    values = {p.symbol: p.value for p in solution.problem.parameters}
+    assert isclose(float(greatest.branches[0].rhs.xreplace(values)), slack * (ratio - 1) * 0.08, rel_tol=1e-9)
+    assert all(c.passed for c in solution.checks)
+
+
+CORD = """
+title: Cylinder on a rough incline, held by a level cord
+parameters: {W: positive, R: positive, alpha: acute, mu: positive, b: positive}
+unknowns: [T]
+coordinates: [x, y, phi]
+let: {n: -sin(alpha)*i + cos(alpha)*j}
+bodies:
+  cylinder: {position: x*i + y*j, angle: phi}
+constraints:
+  incline: {equation: "dot(r_cylinder, n) >= R", reaction: N}
+forces:
+  weight: {on: cylinder, vector: -W*j}
+  cord: {on: cylinder, vector: T*i, at: r_cylinder + R*j}
+  rub: {friction: mu, static: mu, constraint: incline, on: cylinder, at: r_cylinder - R*n}
+find: equilibrium
+ask:
+  tension: {quantity: T, when: phi = 0}
+"""
+
+
+def test_friction_at_rest_is_an_unknown_of_the_balance() -> None:
+    """About the point of contact: T R (1 + cos alpha) = W R sin alpha. Nothing moves, so no inertia is needed."""
+    problem = read_problem(Source("cord.yaml", CORD))
+    solution = solve(problem)
+    W, alpha = (problem.scope.scalars[n] for n in ("W", "alpha"))
+    [tension] = solution.asked
+    assert sp.simplify(tension.branches[0].rhs - W * sp.sin(alpha) / (1 + sp.cos(alpha))) == 0
+    assert all(c.passed for c in solution.checks)
+
+
+def test_what_friction_leaves_open_is_not_determined() -> None:
+    """A block on an incline may lean on a cord with any tension that friction admits."""
+    block = CORD.replace("bodies", "particles").replace(", angle: phi", "").replace("x, y, phi", "x, y")
+    block = (
+        block.replace(", at: r_cylinder - R*n", "").replace(", at: r_cylinder + R*j", "").replace("phi = 0", "x = 0")
+    )
+    with pytest.raises(ProblemError, match="not determined") as refused:
+        solve(read_problem(Source("block.yaml", block)))
+    assert "impending" in refused.value.diagnostics[0].help

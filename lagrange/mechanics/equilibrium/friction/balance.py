@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 
 import sympy as sp
 
@@ -32,7 +33,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -41,7 +42,7 @@ from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Inequality, Signs, shortest
-from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK
+from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_SHIFTED
 from lagrange.problem.model import Belt, Friction, Problem
 
 
@@ -296,6 +297,50 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
         if all(sign_of(sp.cos(v)) == 1 for q, v in values.items() if q in turning):
             held.append(values)
     return held[0] if len(held) == 1 else {}
+
+
+def held_positions(configuration: Configuration) -> list[dict[sp.Symbol, sp.Expr]]:
+    """The positions that the constraints hold, perhaps up to a displacement of the whole: logs in a pile on a floor.
+
+    A coordinate that such a displacement changes stays a letter, by which the others are given. Positions outside of
+    the ranges of the coordinates are left out.
+    """
+    held = held_coordinates(configuration)
+    finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
+    used = [q for q in coordinates if any(q in f.free_symbols for f in finite)]
+    turning = {s for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.free_symbols}
+    if len(used) != len(finite) + 1 or len(used) > MOST_SHIFTED or turning & {*used}:
+        return [held]
+    shifted = _shifted_together(finite, used)
+    if not shifted or any(count_operations(f) > LONGEST_SLACK for f in finite):
+        return [held]
+    origin, *others = shifted
+    unknowns = [q for q in used if q != origin]
+    try:
+        solved = solutions([f.xreplace({origin: sp.S.Zero}) for f in finite], unknowns)
+    except (NotAlgebraicError, DivisionByZeroError):
+        return [held]
+    positions = []
+    for b in solved.branches:
+        values = {r.lhs: r.rhs for r in b.relations if r.lhs in unknowns and r.rhs.free_symbols.isdisjoint(used)}
+        if b.left or b.special or b.conditions or len(values) < len(unknowns):
+            return [held]
+        place = {q: v + origin if q in others else v for q, v in values.items()}
+        ends = ((place[q] - r.low, r.high - place[q]) for q, r in configuration.ranges.items() if q in place)
+        if all(sign_of(sp.expand(e)) != -1 for pair in ends for e in pair):
+            positions.append(place)
+    return positions or [held]
+
+
+def _shifted_together(finite: Sequence[sp.Expr], used: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:
+    """Coordinates by which the constraints do not change if all of them grow alike; none if there are none."""
+    slopes = [{q: f.diff(q) for q in used if q in f.free_symbols} for f in finite]
+    choices = (c for n in range(1, len(used) + 1) for c in combinations(used, n))
+    for chosen in choices:
+        sums = [sp.Add(*(row.get(q, sp.S.Zero) for q in chosen)) for row in slopes]
+        if all(e == 0 or is_zero(e) is True for e in sums):
+            return chosen
+    return ()
 
 
 def _upright(

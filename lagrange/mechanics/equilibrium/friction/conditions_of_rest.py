@@ -247,12 +247,8 @@ def without_weaker(conditions: Sequence[RestCondition], signs: Signs) -> tuple[R
     for weak in tuple(kept):
         if weak.relation == "=":
             continue
-        for c in kept:
-            below = c.right == weak.right and c.right.is_Symbol and signs.of(shortest(c.left - weak.left)) == 1
-            above = c.left == weak.left and c.left.is_Symbol and signs.of(shortest(weak.right - c.right)) == 1
-            if c is not weak and (below or above):
-                kept.remove(weak)
-                break
+        if any(c is not weak and _is_stricter(c, weak, signs) for c in kept):
+            kept.remove(weak)
     return tuple(kept)
 
 
@@ -271,7 +267,23 @@ def joined_cases(cases: Sequence[tuple[RestCondition, ...]], signs: Signs) -> tu
                 if d.relation != "=" and others and any(_implies(c, alone, d, signs) for c in others):
                     kept = others
             left[n] = tuple(kept)
-    return tuple(dict.fromkeys(left))
+    left = [*dict.fromkeys(left)]
+    weaker = (any(o != case and implies_all(case, o, signs) for o in left) for case in left)
+    return tuple(case for case, needless in zip(left, weaker, strict=True) if not needless)
+
+
+def implies_all(case: Sequence[RestCondition], others: Sequence[RestCondition], signs: Signs) -> bool:
+    """Whether each of the other conditions is one of a case, or a weaker bound on the same letter."""
+    return all(any(c == o or _is_stricter(c, o, signs) for c in case) for o in others)
+
+
+def _is_stricter(c: RestCondition, other: RestCondition, signs: Signs) -> bool:
+    """Whether a bound on a letter is stricter than another one: √3 ≤ μ than 2 − √3 ≤ μ."""
+    if "=" in (c.relation, other.relation):
+        return False
+    if c.right == other.right and c.right.is_Symbol:
+        return signs.of(shortest(c.left - other.left)) == 1
+    return c.left == other.left and c.left.is_Symbol and signs.of(shortest(other.right - c.right)) == 1
 
 
 def _is_opposite(c: RestCondition, other: RestCondition) -> bool:

@@ -47,7 +47,7 @@ from lagrange.mechanics.equilibrium.friction.balance import (
     SolvedBalance,
     belt_laws,
     equal_angles,
-    held_coordinates,
+    held_positions,
     lengths_by_angles,
     sought_forces,
     tensions_between,
@@ -57,6 +57,7 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
     SolvedFor,
     bounded_by,
+    implies_all,
     joined_cases,
     limits_of_load,
     not_negative,
@@ -102,6 +103,8 @@ class AtRest:
     equal        angles that the constraints make equal to others, if both are acute
     lengths      what constraints give in terms of angles, where the balance contains it
     unexamined   what is positive or negative in the cases, and may perhaps vanish as well
+    place        the position for which this holds, up to a displacement of the whole; empty if it holds for all
+    elsewhere    other positions that the constraints admit; there rest is impossible, or needs more than here
     """
 
     configuration: Configuration
@@ -120,6 +123,8 @@ class AtRest:
     equal: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     unexamined: tuple[sp.Expr, ...] = ()
     lengths: LengthsGiven = LengthsGiven({})
+    place: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    elsewhere: tuple[Mapping[sp.Symbol, sp.Expr], ...] = ()
 
     @property
     def name(self) -> str:
@@ -270,11 +275,33 @@ def rest_with_friction(
     loading = {s for q in work.forces for s in q.free_symbols}
     sought = sought_forces(problem, belt_laws(problem, newton, configuration))
     between = tensions_between(problem, loading)
+    positions = held_positions(configuration)
+
+    def resting(wanted: tuple[sp.Symbol, ...]) -> AtRest:
+        there = [_at_rest(problem, newton, original, configuration, work, wanted, held) for held in positions]
+        return _least_demanding(there, Signs({p.symbol for p in problem.parameters}))
+
     if between:
-        held = _at_rest(problem, newton, original, configuration, work, tuple(s for s in sought if s not in between))
+        held = resting(tuple(s for s in sought if s not in between))
         if all(held.cases):
             return held
-    return _at_rest(problem, newton, original, configuration, work, sought)
+    return resting(sought)
+
+
+def _least_demanding(positions: Sequence[AtRest], signs: Signs) -> AtRest:
+    """Of several positions the one in which the system can be at rest wherever it can be in another one.
+
+    Raises NotCoveredError if there is none.
+    """
+    if len(positions) == 1 and not positions[0].place:
+        return positions[0]
+    for one in positions:
+        others = [o for o in positions if o is not one]
+        if all(any(implies_all(case, own, signs) for own in one.cases) for o in others for case in o.cases):
+            return replace(one, elsewhere=tuple(o.place for o in others))
+    [first, *_] = positions
+    span = (first.contacts[0].friction if first.contacts else first.belts[0].belt).span
+    raise NotCoveredError("friction at rest in several positions that the constraints admit", span)
 
 
 def _at_rest(
@@ -284,10 +311,13 @@ def _at_rest(
     configuration: Configuration,
     work: VirtualWork,
     sought: tuple[sp.Symbol, ...],
+    position: Mapping[sp.Symbol, sp.Expr],
 ) -> AtRest:
-    """The same, with conditions about these unknown forces; the others are eliminated."""
+    """The same in one position, with conditions about these unknown forces; the others are eliminated."""
     equal = equal_angles(configuration)
-    held = {**equal, **held_coordinates(configuration)}
+    held = {**equal, **position}
+    moving = {*configuration.slots.coordinates}
+    shifted = any(not v.free_symbols.isdisjoint(moving) for v in position.values())
     touching = rough_contacts(problem, newton, original, configuration)
     belts = belt_laws(problem, newton, configuration)
 
@@ -331,6 +361,7 @@ def _at_rest(
             partly,
             {q: e for q, e in equal.items() if held[q] == e},
             lengths=lengths,
+            place=position if shifted else {},
         )
 
     if len(contacts) >= CONTACTS_OF_LIMITS and not belts and len(system.sought) == 1:

@@ -240,3 +240,41 @@ def test_a_position_of_rest_is_solved_for_its_angle(problem: Read, load: str, co
         assert [c.endswith("= 0") for c in conditions] == [True]
     else:
         assert [c.replace(" ", "") for c in conditions] == [condition.replace(" ", "")]
+
+
+LOGS = """title: Two logs on a floor, and one on them
+parameters: [m, R, g, mu]
+coordinates: [x_1, y_1, phi_1, x_2, y_2, phi_2, x_3, y_3, phi_3]
+bodies:
+  A: {mass: m, position: x_1*i + y_1*j, angle: phi_1}
+  B: {mass: m, position: x_2*i + y_2*j, angle: phi_2}
+  C: {mass: m, position: x_3*i + y_3*j, angle: phi_3}
+constraints:
+  floor_1: {equation: y_1 >= R, reaction: N_1}
+  floor_2: {equation: y_2 >= R, reaction: N_2}
+  left: {equation: norm(r_C - r_A) >= 2*R, reaction: N_3}
+  right: {equation: norm(r_C - r_B) >= 2*R, reaction: N_4}
+  below: {equation: x_2 - x_1 >= 2*R, reaction: S}
+gravity: -g*j
+forces:
+  rub_1: {friction: mu, static: mu, constraint: floor_1, on: A, at: r_A - R*j}
+  rub_2: {friction: mu, static: mu, constraint: floor_2, on: B, at: r_B - R*j}
+  rub_3: {friction: mu, static: mu, constraint: left, on: C, at: 1/2*(r_A + r_C)}
+  rub_4: {friction: mu, static: mu, constraint: right, on: C, at: 1/2*(r_B + r_C)}
+find: equilibrium
+"""
+
+
+def test_a_pile_of_logs_is_held_up_to_a_displacement_of_the_whole(problem: Read) -> None:
+    """F R = F' R for each lower log, and F (1 + cos 30°) = N sin 30° + S: F/N >= tan 15° = 2 - sqrt(3), at S = 0."""
+    result = report(problem(LOGS))
+    rest = result.solution.own.at_rest
+    assert rest is not None
+    assert in_json.as_object(result)["rest"]["conditions"] == ["2 - sqrt(3) <= mu"]
+    assert rest.verified
+    assert {str(q): str(v) for q, v in rest.place.items()} == {
+        "y_1": "R", "x_2": "2*R + x_1", "y_2": "R", "x_3": "R + x_1", "y_3": "R*(1 + sqrt(3))"
+    }  # fmt: skip
+    assert len(rest.elsewhere) == 1
+    said = " ".join(terminal.text(result.derivation, result.notation, 100).split())
+    assert "They also admit y₃ = R (1 − √3)" in said
