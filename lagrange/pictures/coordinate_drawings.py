@@ -13,6 +13,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus
@@ -26,6 +27,7 @@ from lagrange.pictures.poses import (
     Pose,
     angle_mark,
     crosswise,
+    direction_mark,
     distance_marks,
     notable,
     relative_angle_mark,
@@ -184,6 +186,18 @@ class CoordinateDrawings:
             if candidates:
                 self.angle_at(max(candidates, key=lambda m: sum(m.reference)))
                 return True
+        return self.angle_of_spring(q)
+
+    def angle_of_spring(self, q: sp.Symbol) -> bool:
+        """Mark the angle of a spring from a fixed place whose length changes with it; return whether it is one."""
+        positions = {p.name: p.position for p in self.system.configuration.points}
+        for link in self.system.links if self.system.view.planar else ():
+            for start, end in (link.ends, link.ends[::-1]):
+                if isinstance(start, Vector) and isinstance(end, str):
+                    mark = direction_mark(self.pose, q, positions[end], start)
+                    if mark is not None:
+                        self.angle_at(mark)
+                        return True
         return False
 
     def at_lower_end(self, q: sp.Symbol, rod: RodAtRest) -> AngleMark | None:

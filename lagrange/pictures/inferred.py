@@ -25,7 +25,19 @@ from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, ou
 from lagrange.pictures.implied.turning_guides import turning_guides
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import circle_of, is_distance, relative_angle_mark
-from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, lies_on, same_ends, scaled, toward
+from lagrange.pictures.sketch import (
+    HINGE,
+    Sketch,
+    apart,
+    beyond,
+    in_line,
+    left_of,
+    lies_on,
+    overlapping,
+    same_ends,
+    scaled,
+    toward,
+)
 from lagrange.pictures.systems import ROD, SystemPicture, is_string
 from lagrange.problem.model import Keeper, Outline
 
@@ -38,6 +50,10 @@ PULLEY = 0.32
 """Radius of a pulley on the page, in centimetres."""
 CORNER = 0.2
 """Radius of a pulley at the edge of a table or plane."""
+_CURVE = re.compile(
+    r"\b(wire|curve|track|hoop|ring|bowl|groove|parabola|ellipse|cycloid|circle|circular|path|slope|hill|rail|surface|spiral)",
+    re.IGNORECASE,
+)
 _GUIDE = re.compile(
     r"\b(on|along|in|inside|upon) (a|an|the|its)( [\w-]+){0,4} (rod|tube|wire|pipe|spoke|bar|groove)\b", re.IGNORECASE
 )
@@ -152,8 +168,8 @@ class Inferred:
                 kind = self._kind(math.dist(mark.centre, mark.point), q, p.position)
                 if kind is not None:
                     centre, end = self.system.page(mark.centre), self.at(p.position)
-                    if any(same_ends((centre, end), line) for line in self.busy):
-                        return True  # the rod of a constraint
+                    if any(same_ends((centre, end), line) or overlapping((centre, end), line) for line in self.busy):
+                        return True  # the rod of a constraint, or of which this is a part
                     self.sketch.line([centre, end], kind)
                     self.busy.append((centre, end))
                     if fixed and not moving:
@@ -196,6 +212,8 @@ class Inferred:
 
     def path(self, p: MassPoint) -> None:
         """The curve on which a particle with one coordinate moves, if it is no line."""
+        if ROD.search(self.system.text) and not _CURVE.search(self.system.text):
+            return  # rods keep it there
         points = [self.system.page(place) for place in self.system.paths.get(p.name, ())]
         if points and not in_line(points[0], points[1:]):
             self.sketch.line(points, StrokeKind.CURVE)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 import sympy as sp
@@ -13,7 +13,7 @@ from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.pictures.floats import FloatVector, NoValueError
+from lagrange.pictures.floats import FloatVector, NoValueError, solved
 from lagrange.pictures.poses import AngleMark, Pose, angle_mark, circle_of
 from lagrange.pictures.shapes import coordinates_in_body, plane_rotation
 
@@ -71,6 +71,19 @@ def _chain(p: MassPoint, pose: Pose, turning: set[sp.Basic]) -> list[SwingingJoi
             joints.append(SwingingJoint(p.name, q, marks[0], fixed))
         place = centre
     return joints[::-1] if not place.as_sum().free_symbols & {*pose.coordinates} else []
+
+
+def on_circle(places: Sequence[FloatVector]) -> bool:
+    """Whether places in the plane are on one circle, told by three of them."""
+    (x, y, _), *others = places[:: max(len(places) // 7, 1)]
+    rows = [(2 * (u - x), 2 * (v - y)) for u, v, _ in others]
+    sums = [u * u + v * v - x * x - y * y for u, v, _ in others]
+    try:
+        a, b = solved(rows[:2], sums[:2])
+    except NoValueError:
+        return False
+    sizes = [math.dist((a, b), place[:2]) for place in places]
+    return max(sizes) - min(sizes) < 1e-7
 
 
 def circle_centres(pose: Pose, p: MassPoint, rotation: Rotation) -> list[Callable[[Pose], FloatVector | None]]:

@@ -33,7 +33,18 @@ from lagrange.core.symbols import Bounded, Sign, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
-from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, plus, projected, value
+from lagrange.pictures.floats import (
+    FloatValues,
+    FloatVector,
+    NoValueError,
+    inner,
+    minus,
+    outer,
+    place,
+    plus,
+    projected,
+    value,
+)
 from lagrange.pictures.implied.senses import before_a_kerb, below, heights_of_hanging, views
 from lagrange.pictures.limits import LEAST_GAP, MOST_UNEQUAL, SAME_PLACE, TRIALS
 from lagrange.problem.model import Problem
@@ -507,6 +518,27 @@ def relative_angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector, ori
         return None
     centre = pose.at(origin)
     return AngleMark(coordinate, centre, plus(centre, mark.point), mark.arc)
+
+
+def direction_mark(pose: Pose, coordinate: sp.Symbol, position: Vector, origin: Vector) -> AngleMark | None:
+    """The angle that a coordinate is for a line whose length changes with it, as 2R cos θ. Raises NoValueError."""
+    ways = [x.at(position.fixed() - origin.fixed()) for x in (pose, *(pose.moved(coordinate, s) for s in (0.2, -0.3)))]
+    size, q = math.hypot(*ways[0]), pose.values[coordinate]
+    if size < 1e-3 or any(w[2] != 0 for w in ways) or not 0.05 < abs(q) < math.pi:
+        return None
+    for sign in (1.0, -1.0):
+        expected = [turned(ways[0], sign * s) for s in (0.2, -0.3)]
+        if all(math.hypot(*outer(e, w)) < SAME_PLACE for e, w in zip(expected, ways[1:], strict=True)):
+            arc = tuple(turned(ways[0], sign * q * (k / 20 - 1)) for k in range(21))
+            centre = pose.at(origin)
+            return AngleMark(coordinate, centre, plus(centre, ways[0]), arc)
+    return None
+
+
+def turned(way: FloatVector, by: float) -> FloatVector:
+    """A vector in the plane, turned counterclockwise."""
+    c, s = math.cos(by), math.sin(by)
+    return c * way[0] - s * way[1], s * way[0] + c * way[1], 0.0
 
 
 def is_distance(pose: Pose, coordinate: sp.Symbol, position: Vector) -> bool:

@@ -516,7 +516,12 @@ class _Drawing:
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in lines if touches(at, a, b)]
             x, y = -sum(w[0] for w in ways), -sum(w[1] for w in ways)
             prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 1e-3 else (0.7, 0.7)
-            self.sketch.label(as_words(p.name), at, prefer, clear=PARTICLE, optional=True)
+            if not self.is_between_letters(p.name):
+                self.sketch.label(as_words(p.name), at, prefer, clear=PARTICLE, optional=True)
+
+    def is_between_letters(self, name: str) -> bool:
+        """Whether a particle is the centre of the rod BC between two points that have their letters."""
+        return len(name) == 2 and {*name} <= {*self.system.figure_places, *self.places}
 
     def name_origin(self) -> None:
         units = [u for n, u in enumerate(self.system.view.units) if n in self.system.view.shown]

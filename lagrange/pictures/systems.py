@@ -33,7 +33,7 @@ from lagrange.pictures.implied.rods_at_rest import RodAtRest, is_possible, with_
 from lagrange.pictures.implied.senses import BOWL
 from lagrange.pictures.implied.side_by_side import beside
 from lagrange.pictures.implied.springs_of_potentials import springs_of_potentials
-from lagrange.pictures.joints import SwingingJoint, circle_centres, holds, same_everywhere, swinging_joints
+from lagrange.pictures.joints import SwingingJoint, circle_centres, holds, on_circle, same_everywhere, swinging_joints
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, SAME_PLACE, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, circle_of, general_pose, notable
 from lagrange.pictures.shapes import Shape, coordinates_in_body, plane_rotation, shape
@@ -306,11 +306,11 @@ class SystemPicture:
                     start, end = here, here + 2 * math.pi
                     if not self.is_round:
                         continue
-                elif at_rest:
-                    continue
                 steps = (start + (end - start) * n / 96 - here for n in range(97))
                 places = [self.pose.moved(q, s).at(p.position) for s in steps]
                 first, second = (minus(places[n], places[0]) for n in (30, 60))
+                if at_rest and circle_of(self.pose, q, p.position) is None and not on_circle(places):
+                    continue
                 if abs(inner(first, second)) < math.hypot(*first) * math.hypot(*second) * (1 - 1e-9):  # no line
                     paths[p.name] = places
         return paths

@@ -14,7 +14,7 @@ from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.poses import angle_mark, is_distance
 from lagrange.pictures.system_drawing import configuration_scene
 from lagrange.pictures.systems import system_in_file
-from tests.support.drawings import CLOSE, DRAWN, scenes, system_of
+from tests.support.drawings import CLOSE, DRAWN, lines_of, scenes, sketched, system_of
 from tests.support.shared import reported
 
 
@@ -97,3 +97,15 @@ particles:
     scene = configuration_scene(system, Notation(), with_loads=False)
     assert scene is not None
     assert {sp.Symbol("X", real=True), sp.Symbol("s", real=True)} <= {label.content for label in scene.labels}
+
+
+def test_the_angle_of_a_spring_whose_length_changes_with_it_is_marked_at_its_fixed_end() -> None:
+    text = (
+        "parameters: [W, k, R]\ncoordinates: {theta: {range: [-80 deg, 80 deg]}}\n"
+        "particles: {collar: {position: 2*R*cos(theta)*(sin(theta)*i - cos(theta)*j)}}\n"
+        "forces:\n  weight: {on: collar, vector: -W*j}\n  spring: {spring: k, between: [O, collar], length: R}\n"
+        "find: equilibrium\n"
+    )
+    scene = sketched("A collar on a hoop", text)
+    assert "theta" in {str(label.content) for label in scene.labels}
+    assert any(len(line.points) > 50 for line in lines_of(scene, StrokeKind.CURVE))  # the hoop

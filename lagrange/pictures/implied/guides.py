@@ -30,7 +30,7 @@ _SURFACE = re.compile(
     r"\b(cone|conical|bowl|surface|cylinder|cylindrical|paraboloid|sphere|spherical|dome|funnel|torus|hemisphere)\b",
     re.IGNORECASE,
 )
-_ROUND = re.compile(r"\b(cylinder|drum|circle|circular|sphere|log|barrel|roller|peg)s?\b", re.IGNORECASE)
+_ROUND = re.compile(r"\b(cylinder|drum|circle|circular|sphere|log|barrel|roller|pipe|peg)s?\b", re.IGNORECASE)
 
 
 def hoops(system: SystemPicture) -> list[tuple[FloatVector, float]]:
@@ -87,7 +87,7 @@ def cylinders_touched(system: SystemPicture) -> Iterator[tuple[FloatVector, floa
         return
     for p in system.configuration.points:
         rotation, shape = plane_rotation(system.configuration, p.name), system.problem.figure.shapes.get(p.name)
-        if rotation is None or shape is None or shape.kind is not Outline.ROD or system.reactions_on(p.name):
+        if rotation is None or shape is None or shape.kind is not Outline.ROD:
             continue
         with suppress(NoValueError):
             tangents = []

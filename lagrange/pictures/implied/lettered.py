@@ -27,6 +27,7 @@ _PAIR = re.compile(
     r"\b(?P<word>rod|crank|link|bar|arm|lever|rocker|coupler|string|rope|cord|thread|cable)s?\b"
     r"(?: of length \S+)?,? (?P<pairs>\$?[A-Z]{2}\b\$?(?:(?:,| and|, and) \$?[A-Z]{2}\b\$?)*)"
 )
+_UNIFORM, _ROD = re.compile(r"\b(uniform|homogeneous)", re.I), re.compile(r"\b(rod|bar|beam)s?\b", re.I)
 _ROPE = re.compile("string|rope|cord|thread|cable")
 
 
@@ -40,7 +41,17 @@ def lettered(problem: Problem, configuration: Configuration) -> Mapping[str, Vec
         letter = p.name if re.fullmatch("[A-Z]", p.name) else called[1] if called else ""
         if letter and letter not in points:
             points[letter] = p.position.fixed()
+    for _ in _centres(configuration) if _UNIFORM.search(text) else ():  # each round finds at least one more, or none
+        for (a, b), middle in _centres(configuration).items():
+            for known, other in ((a, b), (b, a)):
+                if known in points and other not in points:
+                    points[other] = (middle * 2 - points[known]).map(sp.expand)
     return {"O": Vector.zero()} | points
+
+
+def _centres(configuration: Configuration) -> dict[str, Vector]:
+    """The particles that are called by the ends of the uniform rods of which they are the centres: BC, CD."""
+    return {p.name: p.position.fixed() for p in configuration.points if re.fullmatch("[A-Z]{2}", p.name)}
 
 
 def rods_between_letters(problem: Problem, pose: Pose) -> Iterator[tuple[str, str, bool]]:
@@ -51,20 +62,27 @@ def rods_between_letters(problem: Problem, pose: Pose) -> Iterator[tuple[str, st
         *filter(_is_possible, pose.others),
         *(x for by in (0.1, 0.25) if (x := _later(pose, by)) is not None),
     ]
-    for match in _PAIR.finditer(f"{problem.title}. {problem.description}"):
-        for a, b in re.findall(r"([A-Z])([A-Z])", match["pairs"]):
-            if a not in points or b not in points or a == b or len(poses) < 3:
-                continue
+    text = f"{problem.title}. {problem.description}"
+    named = [(name, False) for name in _centres(pose.configuration) if _UNIFORM.search(text) and _ROD.search(text)]
+    for match in _PAIR.finditer(text):
+        rope = bool(_ROPE.search(match["word"]))
+        named += [(pair, rope) for pair in re.findall("[A-Z]{2}", match["pairs"]) if (pair, rope) not in named]
+    for (a, b), rope in named:
+        if a in points and b in points and a != b and len(poses) > 2:
             with suppress(NoValueError):
                 ways = [minus(x.at(points[b]), x.at(points[a])) for x in poses]
                 sizes = [math.hypot(*w) for w in ways]
                 if max(sizes) - min(sizes) < SAME_PLACE < 1e-3 < min(sizes):
-                    yield a, b, bool(_ROPE.search(match["word"]))
+                    yield a, b, rope
 
 
 def _is_possible(pose: Pose) -> bool:
     """Whether a position satisfies its constraints: those off a strut that is taken away do not."""
-    return all(abs(pose.number(sp.sympify(f, strict=True))) < SAME_PLACE for f in pose.configuration.finite_constraints)
+    relations = (sp.sympify(f, strict=True) for f in pose.configuration.finite_constraints)
+    try:
+        return all(abs(pose.number(f)) < SAME_PLACE for f in relations)
+    except NoValueError:
+        return False
 
 
 def _later(pose: Pose, by: float) -> Pose | None:
@@ -84,6 +102,8 @@ def with_lettered_points(problem: Problem, pose: Pose) -> Problem:
     if figure.points or figure.lines or figure.circles or figure.curves:
         return problem
     places = lettered(problem, pose.configuration)
+    positions = [p.position.fixed() for p in pose.configuration.points]
     ends = {end for a, b, _ in rods_between_letters(problem, pose) for end in (a, b)}
-    added = {n: v for n, v in places.items() if n in ends and n in problem.abbreviations}
+    taken = {"O", *(p.name for p in pose.configuration.points)}
+    added = {n: v for n, v in places.items() if n in ends - taken and v not in positions}
     return replace(problem, figure=replace(figure, points=added)) if added else problem

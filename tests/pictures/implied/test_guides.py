@@ -113,3 +113,22 @@ def test_a_strut_that_keeps_the_only_coordinate_is_drawn_and_the_rods_beside_it_
     assert {first, second} == {places["B"], places["D"]}
     assert not string
     assert {frozenset(pair[:2]) for pair in drawn.kept_distances} == {frozenset("BC"), frozenset("CD")}
+
+
+def test_a_plank_leans_on_the_pipe_of_its_constraint() -> None:
+    text = """
+title: Plank on a {pipe}
+parameters: [W, L, R]
+coordinates: {{x: {{}}, y: {{}}, theta: {{range: [0, pi/2]}}}}
+bodies:
+  plank: {{position: x*i + y*j, angle: theta, shape: {{rod: [r_plank - L/2*e1_plank, r_plank + L/2*e1_plank]}}}}
+constraints:
+  floor: {{equation: "dot(r_plank - L/2*e1_plank, j) >= 0"}}
+  prop: {{equation: "dot(r_plank - R*j, e2_plank) >= R"}}
+forces: {{weight: {{on: plank, vector: -W*j}}}}
+find: equilibrium
+"""
+    for pipe, number in (("pipe", 1), ("block", 0)):
+        found = system_in_file(kinematics_and_law(lagrange.loads(text.format(pipe=pipe))))
+        assert found is not None
+        assert len([*cylinders_touched(with_implied_shapes(found))]) == number

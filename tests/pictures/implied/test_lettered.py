@@ -60,3 +60,29 @@ def test_a_crank_that_is_a_body_goes_from_its_axis_to_its_joint() -> None:
     low, high = min(y for _, y in capsule.points), max(y for _, y in capsule.points)
     assert low > -0.3
     assert high == pytest.approx(max(y for _, y in rod.points), abs=0.2)
+
+
+HEXAGON = """
+description: Uniform heavy rods hang from the fixed rod AB; a strut joins C and F.
+parameters: [m, a, g]
+coordinates: {phi: {range: [0, pi/2]}}
+particles:
+  BC: {mass: m, position: a*(1 + sin(phi))*i - a*cos(phi)*j}
+  CD: {mass: m, position: a*(1 + sin(phi))*i - 3*a*cos(phi)*j}
+  DE: {mass: m, position: -4*a*cos(phi)*j}
+  EF: {mass: m, position: -a*(1 + sin(phi))*i - 3*a*cos(phi)*j}
+  FA: {mass: m, position: -a*(1 + sin(phi))*i - a*cos(phi)*j}
+  C: {position: a*(1 + 2*sin(phi))*i - 2*a*cos(phi)*j}
+gravity: -g*j
+find: equilibrium
+"""
+
+
+def test_rods_that_are_called_by_their_ends_close_a_hexagon() -> None:
+    system = drawing_of("Hexagon", HEXAGON)
+    pairs = {a + b for a, b, _ in rods_between_letters(system.problem, system.pose)}
+    assert pairs == {"AB", "BC", "CD", "DE", "EF", "FA"}
+    scene = sketched("Hexagon", HEXAGON)
+    assert len(lines_of(scene, StrokeKind.ROD)) == 6
+    assert lines_of(scene, StrokeKind.CURVE) == []
+    assert {"A", "B", "D", "E", "F"} <= {label.content for label in scene.labels}
