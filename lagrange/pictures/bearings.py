@@ -351,9 +351,9 @@ class Supports:
         if half is not None:
             centres, length = half
             parts = [(centres[0], length)]
-            way = level_of(centres)
-            if way is not None:
-                along = toward((0.0, 0.0), self.system.page.way(way))
+            level = level_of(centres)
+            if level is not None:
+                along = toward((0.0, 0.0), self.system.page.way(level))
                 up = left_of(along) if inner(left_of(along), self.down) <= 0 else scaled(left_of(along), -1.0)
                 size = length * self.system.page.scale
                 foot = beyond(self.system.page(centres[0]), up, -size)

@@ -311,11 +311,13 @@ _OPERATIONS: tuple[Operation, ...] = (
 )
 RealPoint.operations = _OPERATIONS
 
-# On the way to a position where several angles vanish their product is soon small, which decides nothing there.
-_APPROXIMATE = tuple(
-    {_product: lambda _, v, data: _mp.fprod([v[n] for n in data])}.get(operation, operation)
-    for operation in _OPERATIONS
-)
+
+def _rough_product(_: RealPoint, v: list[Any], data: Any) -> Any:
+    # On the way to a position where several angles vanish their product is soon small, which decides nothing there.
+    return _mp.fprod([v[n] for n in data])
+
+
+_APPROXIMATE = tuple(_rough_product if operation is _product else operation for operation in _OPERATIONS)
 
 
 def newton_point(point: RealPoint, constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> bool:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from itertools import permutations
 
 import sympy as sp
 
@@ -42,8 +43,8 @@ def lettered(problem: Problem, configuration: Configuration) -> Mapping[str, Vec
         if letter and letter not in points:
             points[letter] = p.position.fixed()
     for _ in _centres(configuration) if _UNIFORM.search(text) else ():  # each round finds at least one more, or none
-        for (a, b), middle in _centres(configuration).items():
-            for known, other in ((a, b), (b, a)):
+        for ends, middle in _centres(configuration).items():
+            for known, other in permutations(ends):
                 if known in points and other not in points:
                     points[other] = (middle * 2 - points[known]).map(sp.expand)
     return {"O": Vector.zero()} | points
@@ -67,7 +68,8 @@ def rods_between_letters(problem: Problem, pose: Pose) -> Iterator[tuple[str, st
     for match in _PAIR.finditer(text):
         rope = bool(_ROPE.search(match["word"]))
         named += [(pair, rope) for pair in re.findall("[A-Z]{2}", match["pairs"]) if (pair, rope) not in named]
-    for (a, b), rope in named:
+    for pair, rope in named:
+        a, b = pair[0], pair[1]
         if a in points and b in points and a != b and len(poses) > 2:
             with suppress(NoValueError):
                 ways = [minus(x.at(points[b]), x.at(points[a])) for x in poses]

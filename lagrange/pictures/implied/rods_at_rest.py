@@ -249,11 +249,11 @@ def draw_rods(
             case Kind.PLANE:
                 side, foot, middle = left_of(inward), at, page(pose.at(rods[0].middle))
                 far = inner((middle[0] - at[0], middle[1] - at[1]), side)
-                low, high = min(0.0, far) - _BEYOND, max(0.0, far) + _BEYOND
+                near, end = min(0.0, far) - _BEYOND, max(0.0, far) + _BEYOND
                 corner = [c for c in (_crossing(foot, side, page, other) for other in planes) if c is not None]
                 if len(planes) == len(corner) + 1 == 2:
-                    low, high = (corner[0], _BEYOND) if corner[0] < 0 else (-_BEYOND, corner[0])
-                sketch.ground([beyond(foot, side, high), beyond(foot, side, low)])
+                    near, end = (corner[0], _BEYOND) if corner[0] < 0 else (-_BEYOND, corner[0])
+                sketch.ground([beyond(foot, side, end), beyond(foot, side, near)])
             case Kind.ROUND:
                 centre = page(contact.centre)
                 radius, half = math.dist(centre, at), math.pi / 2 if _OPEN.search(text) else math.pi

@@ -102,7 +102,7 @@ def _off_rims(configuration: Configuration, down: Vector) -> Iterator[tuple[str,
             continue
         [q] = angles
         for name in places.keys() - {r.name}:
-            way, start = places[name].partial(q), (places[name] - places[r.name]).map(lambda c, q=q: c.subs(q, 0))
+            way, start = places[name].partial(q), at_zero(places[name] - places[r.name], q)
             along = way.dot(field) / size
             rim = sp.expand(start.dot(start) - way.dot(way))
             upright = sp.expand(along**2 - way.dot(way)) == 0
@@ -119,3 +119,8 @@ def _beside(place: Vector, way: Vector) -> bool:
 
 def _components(vector: Vector) -> Iterator[int]:
     return (n for n, c in enumerate(vector.fixed().components) if c != 0)
+
+
+def at_zero(v: Vector, q: sp.Symbol) -> Vector:
+    """A vector where a coordinate is zero."""
+    return v.map(lambda c: c.subs(q, 0))

@@ -20,7 +20,7 @@ from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
-from lagrange.pictures.implied.side_by_side import shifted
+from lagrange.pictures.implied.side_by_side import at_zero, shifted
 from lagrange.problem.model import Potential, Problem
 
 _SPRING = re.compile(r"\bspring|\belastic\b|\bbungee|\brubber", re.IGNORECASE)
@@ -78,9 +78,7 @@ def springs_of_potentials(problem: Problem, configuration: Configuration) -> Dra
     if len(points) < len(held) or any(w != ways[0] or w.dot(w) != 1 for w in ways):
         return nothing
     way = ways[0] * _sense(problem, ways[0], text)
-    at_rest = [
-        p.position.fixed().map(lambda c, q=q: c.subs(q, 0)) for p, q in zip(points, chain.coordinates, strict=True)
-    ]
+    at_rest = [at_zero(p.position.fixed(), q) for p, q in zip(points, chain.coordinates, strict=True)]
     if len({*at_rest}) not in (1, len(points)) or (chain.has_lengths and (way != ways[0] or chain.last != 0)):
         return nothing
     apart = not chain.has_lengths and len(points) > 1 and len({*at_rest}) == 1
@@ -96,9 +94,9 @@ def springs_of_potentials(problem: Problem, configuration: Configuration) -> Dra
         if not p.position.fixed().partial(q).is_zero
     }
     names = [p.name for p in points]
-    links = [
+    links: list[tuple[str | Vector, str | Vector, sp.Expr]] = [
         (walls[0], names[0], chain.first),
-        *((*pair, k) for pair, k in zip(pairwise(names), chain.between, strict=True)),
+        *((a, b, k) for (a, b), k in zip(pairwise(names), chain.between, strict=True)),
         (names[-1], walls[1], chain.last),
     ]
     drawn = shifted(configuration, moved)
@@ -198,7 +196,7 @@ def _on_both_sides(stiffness: sp.Expr, text: str) -> tuple[sp.Expr, sp.Expr]:
     """The springs before and behind a single body: two, if the text has it between two and the stiffness is a sum."""
     terms = sp.Add.make_args(stiffness)
     if _BOTH_SIDES.search(text) and len(terms) == 2:
-        return terms
+        return terms[0], terms[1]
     if _BOTH_SIDES.search(text) and stiffness.as_coeff_Mul()[0] == 2:
         return stiffness / 2, stiffness / 2
     return stiffness, sp.S.Zero

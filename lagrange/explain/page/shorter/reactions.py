@@ -147,8 +147,9 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
 def by_projection(step: Step, view: InCoordinates, newton: Newton) -> Step:
     """The forces as they follow from Newton's law along each of them, where that is short."""
     at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and b.boxed), None)
-    lines = projections(newton, view) if at else ()
-    box, before = (step.body[at], step.body[at - 1]) if at else (None, None)
+    if not at:
+        return step
+    lines, box, before = projections(newton, view), step.body[at], step.body[at - 1]
     if not lines or not isinstance(box, Display) or not isinstance(before, Prose):
         return step
     if {e.sides[0] for e in box.equations} != {p.force for p in lines}:
