@@ -77,8 +77,8 @@ class ConstraintCurves:
                 points_on_curve, closed = curve
                 if not closed and in_line(points_on_curve[0], points_on_curve[1:]):
                     points_on_curve = [points_on_curve[0], points_on_curve[-1]]
-                if self.tied(reaction, points_on_curve, self.flat(self.places[name])):
-                    continue
+                if self.tied(reaction, points_on_curve, self.flat(self.places[name])) or is_string(reaction):
+                    continue  # a string is no wire along the curve on which it keeps something
                 side = self.forbidden_side(reaction, row, points_on_curve)
                 if side:
                     ring = [*points_on_curve, points_on_curve[0]] if closed else points_on_curve

@@ -65,3 +65,13 @@ def test_the_end_of_a_rod_slides_on_the_curve_of_its_constraint() -> None:
     assert curves
     ratios = [y / x**2 for line in curves for x, y in line.points if abs(x) > 0.3]
     assert max(ratios) - min(ratios) < 1e-3 * math.fabs(max(ratios))
+
+
+def test_the_ellipse_on_which_a_rope_keeps_a_ring_is_no_wire() -> None:
+    text = (
+        "parameters: [W, L, d]\ncoordinates: [x, y]\nparticles: {ring: {position: x*i - y*j}}\n"
+        "constraints: {%s: sqrt(x^2 + y^2) + sqrt((d - x)^2 + y^2) = L}\n"
+        "forces: {weight: {on: ring, vector: -W*j}}\nfind: equilibrium\n"
+    )
+    curves = [len(lines_of(sketched("A ring", text % name), StrokeKind.CURVE)) for name in ("rope", "track")]
+    assert curves == [0, 1]
