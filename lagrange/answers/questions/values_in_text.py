@@ -519,7 +519,9 @@ def _verdicts(
             if any((base(s) in coordinates or base(s) != s) and s not in asked_for for s in used):
                 continue
             values = [c.expression for c in claims if c.expression is not None]
-            if any(base(s) != s for e in values for s in e.free_symbols) or any(c.equation == 0 for c in claims):
+            if any(base(s) != s for e in values for s in e.free_symbols) or (
+                label_of(fragment) and any(c.equation == 0 for c in claims)
+            ):
                 continue  # v = R theta' says what v is, where R theta' is asked for
             best = min((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
         except (ProblemError, DivisionByZeroError, NoPointError, UnsupportedError):
