@@ -68,3 +68,6 @@ MOST_DEPENDENT_SETS = 24
 MOST_ITERATIONS = 30
 # States of motion that a system keeps for the comparisons after this one: three without branches, some forty with.
 MOST_STATES_KEPT = 64
+
+ANGLES_TO_TRY = (30, 50, 20, 40, 70, 10, 60)
+"""In degrees, for a value to try on a calculator: few of them differ by what makes terms vanish."""

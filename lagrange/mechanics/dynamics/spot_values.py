@@ -28,6 +28,7 @@ from lagrange.mechanics.constraints.coordinates import solved_for_one
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
 from lagrange.mechanics.dynamics.limits import (
+    ANGLES_TO_TRY,
     DIGITS,
     LARGEST_DENOMINATOR,
     LARGEST_VELOCITY,
@@ -241,13 +242,9 @@ def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], in_degrees: bool
     return value
 
 
-DEGREES = (30, 50, 20, 40, 70, 10, 60)
-"""Angles below a right one, no two of which differ as often as 30°, 60° and 90° do."""
-
-
 def _angle(n: int) -> sp.Expr:
     """The nth angle to choose."""
-    return sp.pi * sp.Rational(DEGREES[n % len(DEGREES)], 180)
+    return sp.pi * sp.Rational(ANGLES_TO_TRY[n % len(ANGLES_TO_TRY)], 180)
 
 
 def _angles(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, bool]:
