@@ -18,7 +18,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
+from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.static_reactions import is_one_sided
 from lagrange.values.limits import WORKING_DIGITS
 from lagrange.values.quantities import Quantity, Values
@@ -41,7 +41,8 @@ def with_reactions(
     """
     if found is None or resting is None or law is None:
         return found
-    positions, slack = [], []
+    positions: list[Position] = []
+    slack: list[Position] = []
     for p in found.positions:
         if p.branch is not None:
             positions.append(p)
