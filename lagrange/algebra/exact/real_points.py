@@ -212,6 +212,10 @@ def _product(_: RealPoint, v: list[Any], data: Any) -> Any:
     return product
 
 
+def _plain_product(_: RealPoint, v: list[Any], data: Any) -> Any:
+    return _mp.fprod([v[n] for n in data])
+
+
 def _power(point: RealPoint, v: list[Any], data: Any) -> Any:
     base, exponent = v[data[0]], data[1]
     return _bounded(point.reals.inverse(base) if exponent < 0 else base, abs(exponent))
@@ -311,13 +315,8 @@ _OPERATIONS: tuple[Operation, ...] = (
 )
 RealPoint.operations = _OPERATIONS
 
-
-def _rough_product(_: RealPoint, v: list[Any], data: Any) -> Any:
-    # On the way to a position where several angles vanish their product is soon small, which decides nothing there.
-    return _mp.fprod([v[n] for n in data])
-
-
-_APPROXIMATE = tuple(_rough_product if operation is _product else operation for operation in _OPERATIONS)
+# On the way to a position where several angles vanish their product is soon small, which decides nothing there.
+_APPROXIMATE = tuple(_plain_product if operation is _product else operation for operation in _OPERATIONS)
 
 
 def newton_point(point: RealPoint, constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> bool:
