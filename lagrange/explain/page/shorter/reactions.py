@@ -147,9 +147,10 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
 def by_projection(step: Step, view: InCoordinates, newton: Newton) -> Step:
     """The forces as they follow from Newton's law along each of them, where that is short."""
     at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and b.boxed), None)
-    lines = projections(newton, view) if at else ()
-    box, before = (step.body[at], step.body[at - 1]) if at else (None, None)
-    if not lines or not isinstance(box, Display) or not isinstance(before, Prose):
+    if not at:
+        return step
+    lines, box = projections(newton, view), step.body[at]
+    if not lines or not isinstance(box, Display) or not isinstance(step.body[at - 1], Prose):
         return step
     if {e.sides[0] for e in box.equations} != {p.force for p in lines}:
         return step
