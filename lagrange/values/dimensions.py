@@ -55,6 +55,13 @@ def dimension(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dime
         return None
 
 
+def has_bare_number(sides: Iterable[sp.Expr], known: Mapping[sp.Symbol, Dimension]) -> bool:
+    """Whether a comparison is one of a bare number with what has a unit, as 160 > m g."""
+    terms = [x for side in sides for x in sp.Add.make_args(sp.expand(side))]
+    has_unit = any(dimension(x, known) not in (None, NO_DIMENSION) for x in terms)
+    return has_unit and any(x.is_number and x != 0 for x in terms)
+
+
 def dimensions_needed(
     stated: Sequence[tuple[sp.Expr, Dimension]], known: Mapping[sp.Symbol, Dimension]
 ) -> dict[sp.Symbol, Dimension] | None:

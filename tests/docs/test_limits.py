@@ -28,7 +28,6 @@ NO_LIMITS = {
     "document/names": {"_BOLD"},
     "document/ordering": {"_END"},
     "questions/frequencies": {"_ZERO"},
-    "questions/values_in_text": {"_STEM"},
     "answers/reference_systems": {"_CONTRADICTION", "_NONE"},
     "render/escape": {"_LATIN"},
     "render/json": {"VERSION"},

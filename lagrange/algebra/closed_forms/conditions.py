@@ -14,7 +14,7 @@ and a condition is dropped that others imply, being a sum of multiples of them a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import combinations, pairwise
 from math import gcd
@@ -24,14 +24,12 @@ import sympy as sp
 from lagrange.algebra.closed_forms.limits import (
     HIGHEST_CONDITION_DEGREE,
     LARGEST_FACTORED,
-    LARGEST_SIGNED,
     MOST_COMBINED,
     MOST_CONDITIONS,
 )
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of, sign_on
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 
@@ -595,20 +593,3 @@ def where_positive(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> 
         for c in conditions
     )
     return tuple(c for c, weaker in zip(conditions, implied, strict=True) if not weaker)
-
-
-def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:
-    """The sign of an expression, given others that are positive; None if it is not determined."""
-    if e == 0 or is_zero(e):
-        return 0
-    return sign_of(e, known)
-
-
-def bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
-    """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
-    for factor in sp.Mul.make_args(sp.factor(x) if count_operations(x) <= LARGEST_SIGNED else x):
-        base, exponent = factor.as_base_exp()
-        if exponent.is_Rational and not exponent.is_Integer:
-            yield from ((f, False) for f, _ in bases(base))
-        elif not base.is_number:
-            yield base, bool(exponent.is_odd)

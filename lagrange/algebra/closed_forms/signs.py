@@ -8,7 +8,7 @@ Parameters may have a range (`ranges`). An undecidable sign is None, and becomes
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from math import gcd, lcm
 from random import Random
@@ -20,6 +20,7 @@ from lagrange.algebra.closed_forms.shortest_form import in_sines
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, Reals
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
@@ -406,3 +407,20 @@ def takes_both_signs(expression: sp.Expr, positive: tuple[sp.Expr, ...] = ()) ->
         if len(seen) == 2:
             return True
     return False
+
+
+def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:
+    """The sign of an expression, given others that are positive; None if it is not determined."""
+    if e == 0 or is_zero(e):
+        return 0
+    return sign_of(e, known)
+
+
+def bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
+    """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
+    for factor in sp.Mul.make_args(sp.factor(x) if count_operations(x) <= LARGEST_SIGNED else x):
+        base, exponent = factor.as_base_exp()
+        if exponent.is_Rational and not exponent.is_Integer:
+            yield from ((f, False) for f, _ in bases(base))
+        elif not base.is_number:
+            yield base, bool(exponent.is_odd)

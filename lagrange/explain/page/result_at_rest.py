@@ -13,7 +13,6 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
-from lagrange.core.units import NO_DIMENSION
 from lagrange.document.derivation import Equation, Mathematics, Part, Rule, listed, math, series
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
 from lagrange.explain.page.conclusions.positions import stability_of
@@ -167,15 +166,10 @@ def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part
 
 def _lack_units(conditions: Iterable[SignCondition], numbers: EquilibriaInNumbers | None) -> bool:
     """Whether one compares a bare number with what has a unit, as 160 > m g: what the values decide says more."""
-    from lagrange.values.dimensions import dimension
+    from lagrange.values.dimensions import has_bare_number
 
     known = {} if numbers is None else numbers.units
-    sums = ([*sp.Add.make_args(sp.expand(c.lhs)), *sp.Add.make_args(sp.expand(c.rhs))] for c in conditions)
-
-    def has_unit(x: sp.Expr) -> bool:
-        return dimension(x, known) not in (None, NO_DIMENSION)
-
-    return any(any(x.is_number and x != 0 for x in terms) and any(map(has_unit, terms)) for terms in sums)
+    return any(has_bare_number((c.lhs, c.rhs), known) for c in conditions)
 
 
 def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Equation]:

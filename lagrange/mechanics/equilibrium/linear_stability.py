@@ -31,8 +31,9 @@ from enum import StrEnum
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.conditions import sign_on, where_positive
+from lagrange.algebra.closed_forms.conditions import where_positive
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
+from lagrange.algebra.closed_forms.signs import sign_on
 from lagrange.algebra.closed_forms.solution_sets import Branch, known_positive
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.expression_size import count_operations

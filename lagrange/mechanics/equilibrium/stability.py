@@ -27,18 +27,23 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import (
     NeverPositiveError,
-    bases,
     conditions_for,
     further_conditions,
     only_excludes_equality,
     positive_part,
-    sign_on,
     where_positive,
 )
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
+from lagrange.algebra.closed_forms.signs import (
+    SignCondition,
+    bases,
+    different_from_zero,
+    more_than_zero,
+    sign_of,
+    sign_on,
+)
 from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, known_positive, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero

@@ -27,10 +27,10 @@ from itertools import pairwise
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.conditions import NeverPositiveError, conditions_for, positive_part, sign_on
+from lagrange.algebra.closed_forms.conditions import NeverPositiveError, conditions_for, positive_part
 from lagrange.algebra.closed_forms.polynomial_roots import numerator
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of, sign_on
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero

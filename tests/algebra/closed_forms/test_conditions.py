@@ -15,11 +15,10 @@ from lagrange.algebra.closed_forms.conditions import (
     further_conditions,
     only_excludes_equality,
     positive_part,
-    sign_on,
     solved_for,
     where_positive,
 )
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_on
 
 m, g, k, R, l, P, H, c = sp.symbols("m g k R l P H c", positive=True)
 OPERATORS = {"≥": "__ge__", ">": "__gt__", "≤": "__le__", "<": "__lt__"}

@@ -149,8 +149,8 @@ def by_projection(step: Step, view: InCoordinates, newton: Newton) -> Step:
     at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and b.boxed), None)
     if not at:
         return step
-    lines, box, before = projections(newton, view), step.body[at], step.body[at - 1]
-    if not lines or not isinstance(box, Display) or not isinstance(before, Prose):
+    lines, box = projections(newton, view), step.body[at]
+    if not lines or not isinstance(box, Display) or not isinstance(step.body[at - 1], Prose):
         return step
     if {e.sides[0] for e in box.equations} != {p.force for p in lines}:
         return step
