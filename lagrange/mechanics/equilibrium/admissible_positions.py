@@ -72,7 +72,7 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     known = tuple(c for q, r in ranges.items() for c in _known(q, r, solution))
     more = [c for q, r in ranges.items() for c in _conditions(q, r, kept, solution, positive)]
     conditions = tuple(dict.fromkeys([*b.conditions, *more]))
-    if more and any(c.lhs.has(sp.Abs) for c in conditions):
+    if more:
         shorter = further_conditions(conditions)
         if shorter is None:
             return None
