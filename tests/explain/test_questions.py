@@ -25,7 +25,7 @@ from tests.support.derivation_text import said_in
         (
             "chain-off-a-table",
             Rule.QUESTION,
-            " has the wrong sense: a coordinate that reaches a value for the first time moves towards it.",
+            "Of the two signs this one belongs to the first arrival.",
         ),
         ("ball-thrown-up", Rule.QUESTION, " has the opposite sense, for which this equation of motion does not hold."),
         (
@@ -77,4 +77,4 @@ ask: {speed: {quantity: "theta'", when: "theta = pi/6"}}
 def test_a_long_value_is_not_repeated_with_the_other_sign(problem: Callable[[str], Solution]) -> None:
     found = report(problem(GATE))
     text = latex.render([(found.derivation, found.notation)])
-    assert "The opposite value has the wrong sense" in " ".join(text.split())
+    assert "Of the two signs this one belongs to the first arrival." in " ".join(text.split())

@@ -56,13 +56,16 @@ class SpotValue:
 
 
 def spot_of_motion(motion: Motion, problem: Problem) -> SpotValue | None:
-    """A spot value of the equations of motion, with the values of parameters that the file gives."""
-    return spot_value(
-        System(motion.equations.configuration, motion.equations.expressions),
-        {p.symbol: p.value for p in problem.parameters if p.value is not None} | _as_drawn(problem),
-        (*motion.slips, *motion.sliding, *motion.shown.positive),
-        motion.contacts,
-    )
+    """A spot value of the equations of motion, with the values of parameters that the file gives.
+
+    If possible with those of its figure too; a linkage may need others than the position that is tried.
+    """
+    system = System(motion.equations.configuration, motion.equations.expressions)
+    given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    wanted = (*motion.slips, *motion.sliding, *motion.shown.positive)
+    drawn = _as_drawn(problem)
+    value = spot_value(system, given | drawn, wanted, motion.contacts)
+    return spot_value(system, given, wanted, motion.contacts) if value is None and drawn else value
 
 
 def _as_drawn(problem: Problem) -> dict[sp.Symbol, sp.Expr]:
@@ -152,7 +155,7 @@ def _positions(
     """Simple numbers for the free coordinates, and the others from the finite constraints."""
     slots = configuration.slots
     chosen = {
-        q: sign * (_angle(n + trial) if angles.get(q) else sp.Rational(n + 1, n + 2 + trial))
+        q: sign * (_angle(n) if angles.get(q) and trial == 0 else sp.Rational(n + 1, n + 2 + trial))
         for n, q in enumerate(slots.coordinates)
     }
     finite = configuration.finite_constraints

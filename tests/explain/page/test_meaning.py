@@ -94,7 +94,6 @@ def test_equations_that_stand_on_the_page_are_not_said_in_short() -> None:
 @pytest.mark.parametrize(
     ("name", "said", "unsaid"),
     [
-        ("leaving-a-sphere", "At rest: θ = 0, unstable.", "θ = π"),  # a sphere cannot pull
         ("ball-on-a-string", "At rest: φ = 0, stable.", "φ = π"),  # a string cannot push
         ("ex11-ideal-pendulum", "θ = π, unstable", "only"),  # a rod can do both
     ],
