@@ -122,7 +122,9 @@ find: [motion, linearization]
 
 
 def test_a_frequency_has_the_existence_of_its_equilibrium_beside_it() -> None:
-    assert "about r = k l/(k − m W²) where 10k ≥ 10m W² + k l" in _head(TURNING_TABLE.replace("PARAMETERS", "[m, k, l, W]"))
+    assert "about r = k l/(k − m W²) where 10k ≥ 10m W² + k l" in _head(
+        TURNING_TABLE.replace("PARAMETERS", "[m, k, l, W]")
+    )
 
 
 def test_values_that_settle_the_existence_take_the_place_of_the_condition() -> None:
