@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import UnitSymbol
 from lagrange.core.units import unit_of
 from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step, listed, math, prose
 from lagrange.explain.limits import LONGEST_SPOT
@@ -131,9 +132,7 @@ def _assignments(values: Mapping[sp.Symbol, sp.Expr], stated: Mapping[sp.Symbol,
 def _shortly(value: sp.Expr) -> sp.Expr:
     """30° for π/6, 0.5 for 1/2, and 2/3 as it is."""
     if value.has(sp.pi):
-        from lagrange.values.quantities import degrees
-
-        return degrees(value)
+        return sp.Mul(in_decimals(value * 180 / sp.pi), UnitSymbol("°", positive=True), evaluate=False)
     return in_decimals(value)
 
 
