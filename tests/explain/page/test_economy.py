@@ -175,7 +175,7 @@ def test_a_given_lagrangian_is_displayed_once() -> None:
     ("name", "said"),
     [
         ("ex06-two-particle-skate", "ẋ sin θ − ẏ cos θ = 0"),
-        ("ex07-constant-coefficients", "One degree of freedom; holonomic and rheonomic:"),
+        ("ex07-constant-coefficients", "One degree of freedom; holonomic, and rheonomic if a₁ₜ ≠ 0:"),
         ("ex14-two-particles", "(𝐫_P₁ − 𝐫_P₂)·(δ𝐫_P₁ − δ𝐫_P₂) = 0"),
         ("south-pointing-chariot", "θ + ψ = const"),
         ("bicycle", "leaves 2 independent combinations ω of the 3 forms; repeated with these, it leaves 1, which passes again"),

@@ -25,7 +25,10 @@ def box(r: Report) -> str:
 @pytest.mark.parametrize(
     ("name", "contained"),
     [
-        ("ex16-rod-on-two-planes", ("One degree of freedom; the equilibrium", "tan θ = (2k − 1)/tan α    unstable")),
+        (
+            "ex16-rod-on-two-planes",
+            ("One degree of freedom; the equilibrium", "tan θ = (2k − 1)/tan α    where |2k − 1| ≤ tan²α; unstable"),
+        ),
         ("rod-in-bowl", ("the equilibrium:", "where 2r ≥ a")),
         ("inverted-pendulum-springs", ("the equilibria", "stable where b² c > l W")),
         ("leaving-a-sphere", ("what is asked", "cos θ = 2/3", "θ ≈ 48.19°")),
