@@ -221,3 +221,6 @@ MOST_PLACES = 4
 """Equilibria of which all are named beside a frequency that they share; of more only the first."""
 LONGER_SOLVED = 2
 """Equations solved for the accelerations may take so many times the operations of equations with exceptions."""
+
+LONGEST_IN_A_SENTENCE = 10
+"""The most operations of Newton's law along one reaction that is written in its sentence."""

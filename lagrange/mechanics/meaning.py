@@ -301,6 +301,12 @@ def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, s
     if not first.free_symbols & accelerations or others[-1].free_symbols & accelerations:
         return None
     first, other = (-e if e.could_extract_minus_sign() else e for e in (first, others[-1]))
+    [q] = first.free_symbols & accelerations if len(equations) == 1 else {first}
+    factor = sp.cancel(first / q)
+    of_factor = dimension(factor, known)
+    if of_factor is not None and not factor.free_symbols & {*view.configuration.slots.coordinates, q}:
+        first, other = q, other / factor  # θ'' + (g/l) sin θ = 0, as at the head of the page
+        one = tuple(a - b for a, b in zip(one, of_factor, strict=True))
     if first not in accelerations or sp.fraction(other)[1] == 1:
         return None  # m s'' and m g sin θ, s'' and g sin θ: seen at a glance
     return first, other, unit_of_dimension(one)

@@ -83,7 +83,7 @@ def test_a_moving_constraint_is_never_at_rest() -> None:
 def test_units_are_those_of_every_term() -> None:
     terms = of("ex11-ideal-pendulum").terms
     assert terms is not None
-    assert terms[2] == "m/s^2"
+    assert terms[2] == "1/s^2"  # of (g/l) sin θ, as of θ''
 
 
 @pytest.mark.parametrize(

@@ -123,4 +123,4 @@ def test_the_tangent_of_a_bound_grows_only_where_it_is_acute(assumed: str, state
     text = file_of("ex16-rod-on-two-planes").read_text(encoding="utf-8").replace("assume: acute", f"assume: {assumed}")
     found = report(read_problem(Source("x.yaml", text)), complete=False)
     page = " ".join(terminal.text(found.derivation, found.notation, 200).split())
-    assert ("such a position exists if −tan²α ≤ 2k − 1 ≤ tan²α" in page) is stated
+    assert ("such a position exists if |2k − 1| ≤ tan²α" in page) is stated

@@ -578,7 +578,7 @@ def _separated(fragment: Fragment) -> list[Fragment]:
         return [fragment]
     parts = conditions_of(fragment) if "\n" not in fragment.text and is_inequality(fragment) else []
     if sum(map(is_inequality, parts)) > 1:  # H <= mu N, so tan(theta) <= mu
-        return [e for p in parts for e in ([p] if is_inequality(p) else _separated(p))]
+        return [e for p in parts for e in _separated(p)]
     beside = cuts(fragment.text, _BESIDE_CONDITION)
     if len(beside) > 1 and "\n" not in fragment.text and is_inequality(first := _part(fragment, *beside[0])):
         return [first, *(e for place in beside[1:] for e in _separated(_part(fragment, *place)))]

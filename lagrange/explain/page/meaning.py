@@ -464,9 +464,16 @@ def _units(meaning: ResultMeaning) -> Iterator[Block]:
     first, other, unit = meaning.terms
     motion = meaning.view.motion
     several = motion is not None and len(motion.final) > 1
-    where = "in the equations of motion every term" if several else "in the equation of motion every term"
-    yield prose(Emphasis("Units"), f": {where} is in {raised(unit)}, ", math(other), " like ", math(first), ".",
-                purpose=Purpose.UNITS)  # fmt: skip
+    shown: tuple[Part, ...] = (math(other), f" is in {raised(unit)}, as ", math(first), " is.")
+    if several:
+        shown = (
+            f"in the equations of motion every term is in {raised(unit)}, ",
+            math(other),
+            " like ",
+            math(first),
+            ".",
+        )
+    yield prose(Emphasis("Units"), ": ", *shown, purpose=Purpose.UNITS)
 
 
 def _caution(meaning: ResultMeaning) -> Iterator[Block]:

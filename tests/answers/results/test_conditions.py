@@ -72,7 +72,7 @@ def test_nothing_is_said_of_a_condition_that_no_change_explains() -> None:
 
 
 WRONG_CONTACTS: list[Row] = [
-    (LADDER, "rest", ["tan(theta) <= mu"], "for `weight` acting at twice the distance from where the friction `A`"),
+    (LADDER, "rest", ["tan(theta) <= mu"], "for `weight` acting at twice the distance from where the friction `below`"),
     ("cylinder-in-a-corner", "equilibrium", [["M = mu*W*r"]], "this is the limit without the friction `rub_B`"),
 ]
 

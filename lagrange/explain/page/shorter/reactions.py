@@ -52,7 +52,7 @@ from lagrange.document.derivation import (
     math,
     prose,
 )
-from lagrange.explain.limits import SHORTER_AS_STATED, SHORTER_IN_ACCELERATIONS
+from lagrange.explain.limits import LONGEST_IN_A_SENTENCE, SHORTER_AS_STATED, SHORTER_IN_ACCELERATIONS
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -163,9 +163,14 @@ def by_projection(step: Step, view: InCoordinates, newton: Newton) -> Step:
         bound = plural(len(view.configuration.rows), " and the constraint,", " and the constraints,")
         source = bound if view.configuration.rows else ","
         follows = ("so that, with ", *listed(map(math, accelerations)), f" from the equations of motion{source}")
-    shown = display(*(Equation((p.inertia, p.right)) for p in lines))
-    words = prose(along, *listed(math(p.force) for p in lines), " is")
-    return replace(step, body=(*step.body[: at - 1], words, shown, prose(*follows), *step.body[at:]))
+    words = (along, *listed(math(p.force) for p in lines), " is")
+    laws = [Equation((p.inertia, p.right)) for p in lines]
+    if len(laws) == 1 and laws[0].operations <= LONGEST_IN_A_SENTENCE:
+        [law] = lines
+        said: list[Block] = [prose(*words, " ", math(law.inertia, law.right), ", ", *follows)]
+    else:
+        said = [prose(*words), display(*laws), prose(*follows)]
+    return replace(step, body=(*step.body[: at - 1], *said, *step.body[at:]))
 
 
 # As the file states them
