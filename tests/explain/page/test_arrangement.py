@@ -68,8 +68,9 @@ def test_full_detail_is_the_whole_derivation() -> None:
 
 def test_forces_alike_are_in_one_sentence_and_each_body_once() -> None:
     page = " ".join(printed(reported("double-atwood", complete=False)).split())
-    assert "F₁ on the single body, F on the lower body, F₂ on the left body and F₃ on the right body along −𝐣" in page
-    assert "On the single body act" not in page
+    forces = "F₁ on the single weight, F on the moving pulley, F₂ on the left weight and F₃ on the right weight along −𝐣"
+    assert forces in page
+    assert "On the single weight act" not in page
     assert page.count("what one loses, another gains") == 1
 
 
