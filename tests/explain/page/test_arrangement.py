@@ -68,7 +68,9 @@ def test_full_detail_is_the_whole_derivation() -> None:
 
 def test_forces_alike_are_in_one_sentence_and_each_body_once() -> None:
     page = " ".join(printed(reported("double-atwood", complete=False)).split())
-    forces = "F₁ on the single weight, F on the moving pulley, F₂ on the left weight and F₃ on the right weight along −𝐣"
+    forces = (
+        "F₁ on the single weight, F on the moving pulley, F₂ on the left weight and F₃ on the right weight along −𝐣"
+    )
     assert forces in page
     assert "On the single weight act" not in page
     assert page.count("what one loses, another gains") == 1
