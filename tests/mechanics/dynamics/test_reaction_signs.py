@@ -518,7 +518,7 @@ def test_a_body_that_a_coordinate_leads_along_a_curve(equation: str, force: str)
     page = " ".join(terminal.text(made.derivation, made.notation, 100).split())
     is_partial = "direction" not in written
     assert ("only the part along the path that the coordinates leave to B enters" in page) is is_partial
-    assert ("The force that prevents it is" in page) is not is_partial  # the boom takes a part of the pull
+    assert ("B from moving along sin θ 𝐢 + cos θ 𝐣 is W" in page) is not is_partial  # the boom takes a part of the pull
     assert written.get("direction") in (None, "-l*sin(theta)*i/c + c*j/(2*l)")  # from B to A, if that is seen
 
 
