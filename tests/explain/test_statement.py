@@ -68,7 +68,8 @@ find: [equilibrium]
 """
     found = page(problem(spring))
     assert "The potential energy is U = ½ k" in found
-    assert "have a potential U, and an equilibrium is stable if U has a strict minimum" in found
+    assert "All forces together have the potential Π = ½ k [" in found  # U is that of the spring alone
+    assert "an equilibrium is stable if Π has a strict minimum there" in found
     assert "with the force c V at (9) and −c V at (10)" in found  # and not k [(c V + k l)/k − l]
 
 
