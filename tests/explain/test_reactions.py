@@ -46,7 +46,6 @@ def test_a_hoop_is_held_by_a_contact_and_by_no_rod(problem: Read) -> None:
 def test_reactions_that_the_coordinates_take_into_account_are_not_denied(problem: Read) -> None:
     words = page(problem(PENDULUM))
     assert "The coordinates satisfy the constraints by themselves" in words
-    assert "satisfy the constraints already" in words
     free = page(problem("title: Free\nparameters: [m]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"))
     assert "there are no reactions" in free
 
