@@ -74,7 +74,7 @@ def _chain(p: MassPoint, pose: Pose, turning: set[sp.Basic]) -> list[SwingingJoi
 
 
 def on_circle(places: Sequence[FloatVector]) -> bool:
-    """Whether places in the plane are on one circle, told by three of them."""
+    """Whether points in the plane lie on one circle, that through three of them."""
     (x, y, _), *others = places[:: max(len(places) // 7, 1)]
     rows = [(2 * (u - x), 2 * (v - y)) for u, v, _ in others]
     sums = [u * u + v * v - x * x - y * y for u, v, _ in others]

@@ -176,7 +176,7 @@ def _pegs(lines: Sequence[tuple[FloatVector, FloatVector]], known: Sequence[Cont
 
 
 def is_possible(problem: Problem, pose: Pose) -> bool:
-    """Whether all pegs and rims are on their rods, and no rod is behind the plane that carries it."""
+    """Whether all pegs and rims touch their rods, and no rod passes through the plane that carries it."""
     rods = rods_at_rest(problem, pose)
     try:
         held = contacts(problem, pose, rods) if rods else []
