@@ -39,7 +39,7 @@ class Chain:
 
     coordinates  of the bodies in their order
     between      the stiffness between neighbours
-    first, last  the stiffness between a wall and the first body, and between the last body and a wall; 0 without a spring
+    first, last  stiffness from a wall to the first body, and from the last body to a wall; 0 if there is none
     has_lengths  whether the coordinates are counted from the wall, and not from rest
     """
 

@@ -86,7 +86,7 @@ def test_rounding_is_not_magnified_into_what_is_not_zero() -> None:
 
 
 def test_a_position_where_several_angles_vanish_is_reached() -> None:
-    """On the way there the product of their sines is soon too small to be told from zero, which decides nothing."""
+    """On the way there the product of their sines soon becomes too small to distinguish from zero, which decides nothing."""
     x, y, z = sp.symbols("x y z", real=True)
     product = sp.sin(x) * sp.sin(y) * sp.sin(z)
     constraints = (sp.sin(x) + product, sp.sin(y) - 2 * product, sp.sin(z) + sp.sin(x) * sp.sin(y) + 3 * product)
