@@ -249,5 +249,5 @@ def values_in(solution: Solution) -> Values | None:
     values = values.with_energies(KINETIC_ENERGY, ENERGY)
     if solution.law is None:
         return values
-    forces = {r.force: newton.dimension for r in solution.law.newton.reactions if r.named}
+    forces = {f: newton.dimension for r in solution.law.newton.reactions if (f := r.symbol_of_force) is not None}
     return replace(values, units={**forces, **values.units})

@@ -247,6 +247,8 @@ class FourierRing(Basis):
         return c * cosine - s * sine if function is sp.cos else s * cosine + c * sine
 
     def _frequency(self, number: sp.Expr, angle: sp.Expr) -> int:
+        if sp.pi in angle.args:  # in sin(2π t/T) the angle is 2π t/T and not twice π t/T
+            number, angle = number / 2, 2 * angle
         if not (number.is_Rational and abs(number.p) <= HIGHEST_MULTIPLE):
             number, angle = sp.S.One, number * angle
         elif UNIT % number.q:

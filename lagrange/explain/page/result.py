@@ -438,7 +438,12 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
             for lag, phase in (lags if view.response.is_damped else ())
             if phase is not None and count_operations(phase) <= LONGEST_FREQUENCY
         ]
-        yield Rule.RESPONSE, [*(Equation(pair) for pair in pairs), *behind, *still]
+        at_resonance = [
+            Equation(sides, condition=("at resonance",))
+            for sides in view.response.at_resonance
+            if count_operations(sides[1]) <= LONGEST_FREQUENCY
+        ]
+        yield Rule.RESPONSE, [*(Equation(pair) for pair in pairs), *at_resonance, *behind, *still]
     elif view.forced is not None:
         yield Rule.LINEARIZATION, [Equation(sides) for sides in view.forced.sides]
 
@@ -490,20 +495,22 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         if line.operations <= LONGEST_ANSWER:
             yield replace(line, condition=("when ", *listed(map(as_stated, asked.question.when))))
     for b in branches:
-        line = answer_line(b)
+        line, conditions = answer_line(b), b.conditions
         too_long = line.operations > LONGEST_ASKED
-        if too_long or (values is not None and _hides_units(asked, b, values)):
-            number = None if len(branches) > 1 or values is None else _in_numbers(asked, b, values)
-            if number is None and too_long:
-                continue
-            line = number or line
+        if values is not None and (too_long or _hides_units(asked, b, values)):
+            number = _in_numbers(asked, b, values)
+            if number is not None:
+                line, too_long = number, False
+                conditions = tuple(c for c in conditions if not values.covers(c.lhs, c.rhs))  # the others hold
+        if too_long:
+            continue
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
             clauses.append(("when ", *listed(map(as_stated, asked.question.when))))
-        if sum(count_operations(c.lhs - c.rhs) for c in b.beyond_square) > LONGEST_ANSWER_CONDITIONS:
+        if conditions and sum(count_operations(c.lhs - c.rhs) for c in b.beyond_square) > LONGEST_ANSWER_CONDITIONS:
             clauses.append(("under conditions that are given below",))
-        elif b.conditions:
-            clauses.append(where_it_holds(b))
+        elif conditions:
+            clauses.append(where_it_holds(replace(b, conditions=conditions)))
         angle = angle_of(asked, b)
         if angle is not None:
             clauses.append(("that is ", angle))

@@ -31,6 +31,7 @@ from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
 from lagrange.mechanics.rewriting.readable_forms import divisors
+from lagrange.mechanics.rewriting.stable_frequencies import square_where_stable
 from lagrange.values.quantities import Quantity, degrees
 
 
@@ -310,6 +311,7 @@ def _frequencies_about(
             continue
         about = tuple(listed(math(r.lhs, r.rhs) for r in b.equations))
         stability = at.judgement.stability
+        squares = [None if s is None else square_where_stable(s, b, stability) or s for s in squares]
         words = stability_of(at)
         known = _with_values(numbers, k)
         open_ = stability.conditions or stability.presupposed

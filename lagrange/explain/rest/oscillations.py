@@ -50,6 +50,7 @@ from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerm
 from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
 from lagrange.mechanics.rewriting.readable_forms import is_linear
+from lagrange.mechanics.rewriting.stable_frequencies import square_where_stable
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
@@ -319,9 +320,13 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
             omega = sp.Symbol(f"{unknown.name}_{k}", real=True) if several else unknown
             label = label_about_equilibrium(linearization, f"omega-{k}", n)
             ratios = _long_ratios(f, s, linearization)
-            lines.append(
-                Equation((omega**2, f.square), label=label, condition=() if ratios else _mode(f, s, linearization))
-            )
+            line = Equation((omega**2, f.square), label=label, condition=() if ratios else _mode(f, s, linearization))
+            stability = s.judgement.stability
+            stable = square_where_stable(f.square, linearization.branches[n - 1], stability)
+            if stable is not None:
+                where = ("where ", *sign_conditions(stability.conditions))
+                line = replace(line, sides=(*line.sides, stable), condition=line.condition or where)
+            lines.append(line)
             lines += ratios
         elif len(s.frequencies) > 1:
             lines.append(Equation((s.remaining(f), ZERO)))

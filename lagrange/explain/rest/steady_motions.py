@@ -265,8 +265,8 @@ def _resonance(response: Response) -> Iterator[Block]:
             purpose=Purpose.RESONANCE,
         )
         lines = [
-            Equation((w**2, e), label=_label(response.forced, f"resonance-{n}"))
-            for n, e in enumerate(response.resonances)
+            Equation(sides, label=_label(response.forced, f"resonance-{n}"))
+            for n, sides in enumerate(response.at_resonance)
         ]
         both = both_roots(response.resonances)
         if both is not None:

@@ -124,8 +124,8 @@ class SmallOscillations:
         return self.system.stiffness[0][0] / self.system.mass[0][0]
 
     def remaining(self, f: Frequency) -> sp.Expr:
-        """The polynomial in ω with this frequency as a root."""
-        return f.factor.xreplace({f.letter: self.unknown**2})
+        """The polynomial in ω with this frequency as a root, each coefficient in factors."""
+        return _in_powers(f.factor, f.letter).xreplace({f.letter: self.unknown**2})
 
 
 @record
@@ -294,7 +294,7 @@ class _About:
         for n, (other, s) in enumerate(zip(self.branches, self.at, strict=True)):
             if s is None or s.free != free or self.copies[n] is not None:
                 continue
-            if (other.conditions, other.implied) == (b.conditions, b.implied):
+            if restrictions(other) == restrictions(b):
                 signs = _mirror(s.system, (mass, damping, stiffness), {*self.resting.solution.unknowns})
                 if signs is not None:
                     moved = [self.names[k] for k in free]
@@ -305,6 +305,14 @@ class _About:
             return None, None
         self.worked_out += 1
         return oscillations(free, shape, (mass, damping, stiffness), b, self.resting, self.names, *self.letters), None
+
+
+def restrictions(b: Branch) -> set[tuple[str, frozenset[sp.Expr] | tuple[sp.Expr, sp.Expr]]]:
+    """What restricts the parameters on a branch: a ≠ b is b ≠ a."""
+    return {
+        (c.relation, frozenset((c.lhs, c.rhs)) if c.relation == "≠" else (c.lhs, c.rhs))
+        for c in (*b.conditions, *b.implied)
+    }
 
 
 def _mirror(s: LinearSystem, matrices: tuple[Matrix, ...], unknowns: set[sp.Symbol]) -> tuple[int, ...] | None:
@@ -320,7 +328,7 @@ def _mirror(s: LinearSystem, matrices: tuple[Matrix, ...], unknowns: set[sp.Symb
     for x, y in pairs:
         for i, j in product(range(size), repeat=2):
             a, b = x[i][j], y[i][j]
-            sign = 1 if a == b else -1 if sp.expand(a + b) == 0 else 1 if sp.expand(a - b) == 0 else None
+            sign = 1 if a == b else -1 if is_zero(a + b) is True else 1 if is_zero(a - b) is True else None
             if sign is None or (i == j and sign < 0):
                 return None
             if a != 0 and ratios.setdefault((min(i, j), max(i, j)), sign) != sign:

@@ -117,6 +117,13 @@ class Response:
         return tuple(a * c + b * s for a, b in zip(self.cosines, self.sines, strict=True))
 
     @property
+    def at_resonance(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+        """Without damping, the frequency of the drive at each resonance, or its square where a root would be long."""
+        w = self.drive.frequency
+        squares = () if self.is_damped else self.resonances
+        return tuple((w, sp.sqrt(e)) if e.is_positive and not e.atoms(sp.Add) else (w**2, e) for e in squares)
+
+    @property
     def greatest_at(self) -> sp.Expr:
         """The ω² at which the amplitude of a single damped coordinate is greatest, without a minus sign in front."""
         return without_leading_minus(self.resonances[0])

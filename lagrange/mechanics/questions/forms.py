@@ -53,6 +53,32 @@ def without_roots_below(e: sp.Expr) -> sp.Expr:
     return other if count_operations(other) < count_operations(e) and is_zero(other - e) is True else e
 
 
+def with_root_as_letter(e: sp.Expr) -> sp.Expr:
+    """√(w − g) for √(w² − g w)/√w with w = √(a² + g²), where that is shorter: a sum that is w² is divided by w."""
+    if count_operations(e) > LONGEST_MULTIPLIED_OUT:
+        return e
+    roots = [p for p in e.atoms(sp.Pow) if p.base.is_Add and p.exp.is_Rational and p.exp.q in (2, 4)]
+    for base in dict.fromkeys(p.base for p in roots if p.exp.q == 2):
+        w = sp.Dummy(positive=True)
+        lettered = e.xreplace({p: w ** (2 * p.exp) for p in roots if p.base == base})
+        for s in sorted(base.free_symbols, key=str):
+            lead = sp.expand(base).coeff(s, 2)
+            rest = sp.expand(base - lead * s**2)
+            if lead == 0 or s in lead.free_symbols | rest.free_symbols:
+                continue
+            other = _without_square(lettered, s, (w**2 - rest) / lead).xreplace({w: sp.sqrt(base)})
+            if count_operations(other) < count_operations(e) and is_zero(other - e) is True:
+                return other
+    return e
+
+
+def _without_square(e: sp.Expr, s: sp.Symbol, value: sp.Expr) -> sp.Expr:
+    """The expression with s² = value in each sum, in factors."""
+    if e.is_Add:
+        return sp.factor(sp.expand(e).xreplace({s**2: value}))
+    return e if e.is_Atom else e.func(*(_without_square(a, s, value) for a in e.args))
+
+
 def with_factors(e: sp.Expr) -> sp.Expr:
     """A product with its sums multiplied out and factored, where that is shorter: m p (g p − v²) for what is longer."""
     above, below = (sp.Mul(*map(_factored, sp.Mul.make_args(part))) for part in sp.fraction(e))
@@ -266,7 +292,7 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
     b = with_real_roots(b)
     rhs = _over_positive(without_known_magnitudes(b.rhs))
-    rhs = without_leading_minus(with_whole_contents(with_factors(without_roots_below(rhs))))
+    rhs = without_leading_minus(with_whole_contents(with_factors(with_root_as_letter(without_roots_below(rhs)))))
     rhs = with_number_apart(with_half_angle(with_tanh(rhs)))
     rhs = with_known_signs(with_joined_logarithms(rhs), b.conditions)
     rhs = with_exponentials_under_roots(with_common_number(rhs))

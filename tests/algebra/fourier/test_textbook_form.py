@@ -557,3 +557,12 @@ def test_summands_are_those_of_the_form(expression: sp.Expr) -> None:
     slow, fast = common_factor(form), common_factor_of(terms)
     assert (slow.number, dict(slow.powers)) == (fast.number, dict(fast.powers))
     assert slow.divide(form) == fast.divide_terms(terms)
+
+
+def test_a_phase_with_pi_is_not_halved() -> None:
+    """sin(2π v t/L) of a drive stays what it is; of half the phase it is still twice the product."""
+    v, L = sp.symbols("v L", positive=True)
+    drive = sp.sin(2 * sp.pi * v * t / L)
+    assert textbook_form(3 * drive) == 3 * drive
+    half = sp.pi * v * t / L
+    assert textbook_form(drive - 2 * sp.sin(half) * sp.cos(half)) == 0

@@ -233,3 +233,41 @@ def test_an_impulse_along_an_axis_says_on_what_it_acts_and_not_which_component_o
     page = terminal.text(reported("rod-caught-at-an-end").derivation, reported("rod-caught-at-an-end").notation, 80)
     assert "the impulse on the rod along" in page
     assert "held 2" not in page
+
+
+def test_the_force_of_a_constraint_in_its_own_unit_although_a_place_is_given_as_a_number(
+    problem: Callable[[str], Problem],
+) -> None:
+    """Beer and Johnston's collar and spring: N = k b (1 − l/√(y² + b²)) with y = 6 in."""
+    text = """title: Collar and spring
+parameters: {W: 20 lb, k: 3 lb/in, l_0: 4 in, b: 8 in, g: 32.2 ft/s^2}
+coordinates: {x: {unit: in}, y: {unit: in}}
+particles: {collar: {mass: W/g, position: x*i + y*j}}
+constraints: {rod: {equation: x = b, reaction: N, by: wire}}
+gravity: g*j
+forces: {spring: {spring: k, between: [O, collar], length: l_0}}
+generalized_coordinates: {along: {coordinates: [y]}}
+initial: {y: 0, y': 0}
+ask: {press: {quantity: N, when: y = 6 in}}
+"""
+    assert "N ≈ 64.05 N    when y = 6 in" in box(report(problem(text), complete=False))
+
+
+def test_of_two_answers_whose_formulas_hide_units_each_is_a_number(problem: Callable[[str], Problem]) -> None:
+    """The slow and the fast precession of a cone on its tip, both without conditions, which the values satisfy."""
+    text = """title: Cone on its tip
+parameters: {m: 1 kg, h: 100 mm, r: 50 mm, g: 9.81 m/s^2}
+coordinates: {phi: precession, theta: {range: [0, pi]}, psi: spin}
+bodies:
+  cone:
+    mass: m
+    inertia: [3*m*(4*r^2 + h^2)/80, 3*m*(4*r^2 + h^2)/80, 3*m*r^2/10]
+    position: 3*h/4*e3_cone
+    orientation: {axes: 313, angles: [phi, theta, psi]}
+gravity: -g*k
+ask: {rates: {quantity: "phi'", when: [theta = 30 deg, "theta' = 0", "theta'' = 0", "psi' = 2000 rpm"]}}
+"""
+    head = box(report(problem(text), complete=False))
+    for rate in ("5.687", "26.56"):
+        assert f"φ̇ ≈ {rate} rad/s    when θ = π/6, θ̇ = 0, θ̈ = 0 and ψ̇ = 2000 rpm" in head
+    assert "conditions" not in head

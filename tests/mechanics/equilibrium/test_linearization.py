@@ -13,9 +13,12 @@ import pytest
 import sympy as sp
 from mpmath import diff, matrix, mp, mpc, mpf, polyroots
 
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.explain.rest.oscillations import explain_omitted
 from lagrange.mechanics.equilibrium import linearization as linearizations
+from lagrange.mechanics.equilibrium.linearization import restrictions
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagsolve.exit_statuses import status_of_error
 from tests.support import shared
@@ -279,6 +282,15 @@ def test_copies_of_an_equilibrium_are_worked_out_once() -> None:
             signs = sp.diag(*(-1 if linear.displacements[k] in copy.reversed else 1 for k in s.free))
             for a, b in ((mine.mass, others.mass), (mine.damping, others.damping), (mine.stiffness, others.stiffness)):
                 assert (sp.Matrix(a) - signs * sp.Matrix(b) * signs).expand() == sp.zeros(len(s.free))
+
+
+def test_copies_under_conditions_that_are_written_the_other_way_round() -> None:
+    """A ≠ C is C ≠ A, but a > b is not b > a."""
+    x, y = sp.symbols("x y", positive=True)
+    one, two = (Branch((), conditions=(SignCondition(*sides),)) for sides in ((x, "≠", y), (y, "≠", x)))
+    assert restrictions(one) == restrictions(two)
+    one, two = (Branch((), conditions=(SignCondition(*sides),)) for sides in ((x, ">", y), (y, ">", x)))
+    assert restrictions(one) != restrictions(two)
 
 
 def test_a_long_chain_has_linear_equations() -> None:

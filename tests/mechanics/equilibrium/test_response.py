@@ -13,8 +13,10 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from lagrange.core.diagnostics import ProblemError
+from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.response import Response, limiting_amplitudes
 from lagrange.mechanics.solution import solve
+from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.support.problem_texts import read
 from tests.support.shared import reported
@@ -289,3 +291,25 @@ find: response
     moduli = {m.args[0] for e in found.amplitudes for m in e.atoms(sp.Abs)}
     factors = {f.as_base_exp()[0] for e in found.cosines for f in sp.Mul.make_args(e) if f.as_base_exp()[0].is_Add}
     assert factors == moduli
+
+
+def test_the_frequency_at_resonance_with_its_number() -> None:
+    """A trailer on a road with the wavelength L: 2π v/L = √(2k/m) = √80 s⁻¹."""
+    text = """title: Trailer
+parameters: {m: 250 kg, k: 10 kN/m, d: 40 mm, L: 5 m, v: 50 km/h}
+coordinates: {y: {unit: m}}
+particles: {P: {mass: m, position: y*j}}
+forces: {springs: {potential: 2*k*(y - d*sin(2*pi*v/L*t))^2/2}}
+find: response
+"""
+    found = report(read(text), complete=False)
+    response = solve(read(text)).own.response
+    assert response is not None
+    [(drive, value)] = response.at_resonance
+    numbers = {"m": 250, "k": 10000, "d": 0.04, "L": 5, "v": 50 / 3.6}
+    assert float(value.subs({s: numbers[s.name] for s in value.free_symbols})) == pytest.approx(80**0.5)
+    assert float(drive.subs({s: numbers[s.name] for s in drive.free_symbols})) == pytest.approx(
+        2 * np.pi * 50 / 3.6 / 5
+    )
+    page = terminal.text(found.derivation, found.notation, 80)
+    assert "2π v/L = √(2k/m)    at resonance, that is 2π v/L ≈ 8.944 s⁻¹" in page

@@ -20,6 +20,7 @@ from lagrange.mechanics.questions.forms import (
     with_joined_logarithms,
     with_known_signs,
     with_number_apart,
+    with_root_as_letter,
     with_tanh,
     without_roots_below,
     without_roots_in_logarithms,
@@ -180,3 +181,13 @@ def test_a_number_that_all_terms_share_stands_before_them() -> None:
     assert with_common_number(g - 2 * h) == g - 2 * h
     assert with_common_number(2 - 2 * h) == 2 - 2 * h
     assert shown(AnswerBranch(x, e, ())).rhs == written
+
+
+def test_a_sum_that_is_the_square_of_a_root_beside_it_is_divided_by_it() -> None:
+    """The greatest speed in a car that speeds up: θ'² = 2 (√(a² + g²) − g)/l."""
+    a, l = sp.symbols("a l", positive=True)
+    w = sp.sqrt(a**2 + g**2)
+    long = sp.sqrt(2) * sp.sqrt((a**2 + g**2 - g * w) / l) / sp.sqrt(w)
+    short = with_root_as_letter(long)
+    assert short == sp.sqrt(2) * sp.sqrt(w - g) / sp.sqrt(l)
+    assert with_root_as_letter(a * w + g) == a * w + g
