@@ -103,7 +103,7 @@ def _after(solution: Solution, impact: ImpulsiveMotion) -> Solution:
 def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:
     """The coordinates of the motion; for a rest free ones without square roots, otherwise those of the file."""
     if states is not None:
-        return next(v for v in solution.views if v.name == states.name)
+        return solution.view(states.name)
     return min(solution.views, key=lambda v: (v.equilibrium is None, bool(v.signs), len(v.configuration.rows)))
 
 

@@ -42,7 +42,7 @@ from lagrange.answers.readings import Reading
 from lagrange.answers.unsolved_equations import are_balanced
 from lagrange.answers.validity import also_holds
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
-from lagrange.core.records import all_hold, record
+from lagrange.core.records import all_hold, any_holds, record
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.admissible_positions import is_outside
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
@@ -445,7 +445,7 @@ class EquilibriumComparison:
     def _at_one(self, cases: Sequence[_Case]) -> bool | None:
         """Whether one of several systems holds at its own point, or on part of what this point leaves undetermined."""
         verdicts = [self._one_holds(cases), *(self._on_a_part(*case) for case in cases)]
-        return True if True in verdicts else None if None in verdicts else False
+        return any_holds(verdicts)
 
     def _on_a_part(
         self, point: Values, equations: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr]

@@ -73,7 +73,7 @@ class Examiner:
         """Solves the problem, so that answers can be checked. Raises ProblemError if it cannot be solved."""
         solution = None if problem.equations else solve(problem, on_stage=on_stage)
         if solution is not None and solution.given_up:
-            raise GaveUpError(*solution.given_up.split(", ", 1))
+            raise GaveUpError(solution.given_up)
         return cls(problem, solution)
 
     @cached_property

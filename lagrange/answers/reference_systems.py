@@ -19,7 +19,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, UnsupportedError
 from lagrange.answers.readings import read_answer
-from lagrange.answers.references import Reference, ReferenceCandidate, declared_names, occurring, parameter_values
+from lagrange.answers.references import Reference, ReferenceCandidate, declared_names, occurring
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.mechanics.constraints.classification import classify
@@ -55,7 +55,7 @@ def reference_of_equations(problem: Problem) -> Reference:
     forces = (*problem.unknowns, *(c.reaction for c in problem.constraints))
     unknowns = occurring(forces, tuple(expressions))
     system = System(configuration, tuple(expressions), unknowns)
-    values = parameter_values(problem)
+    values = problem.given_values
     candidates = (
         ReferenceCandidate("", configuration, forces, lambda: system, values=values),
         *(_rewritten(system, c, forces, values) for c in chosen),

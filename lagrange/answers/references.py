@@ -289,7 +289,7 @@ def _reference_of(same: Identical) -> Reference:
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
-    values = parameter_values(problem)
+    values = problem.given_values
     certain = _settled(solution)
     plain = [replace(c, values=values, certain=certain, starts=_start_of(c, solution)) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
@@ -525,11 +525,6 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
     equations = tuple(e.xreplace(values) for e in system.equations)
     constrained = configuration.constrained.with_rows(rows)
     return System(replace(configuration, constrained=constrained), equations, system.multipliers)
-
-
-def parameter_values(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
-    """The numbers that a file gives to parameters."""
-    return {p.symbol: p.value for p in problem.parameters if p.value is not None}
 
 
 def _candidates(solution: Solution) -> Iterator[ReferenceCandidate]:

@@ -143,10 +143,11 @@ class UndecidedError(ProblemError):
 class GaveUpError(UndecidedError):
     """The error for a problem of which nothing is known within the work, time or memory that is allowed."""
 
-    def __init__(self, stage: str, reason: str) -> None:
+    def __init__(self, place: str) -> None:
+        """place  the stage, and why it was given up."""
         help_ = "a smaller system, or shorter expressions, may be solved"
-        self.place = f"{stage}, {reason}"
-        ProblemError.__init__(self, Diagnostic("given-up", f"given up at: {self.place}", help=help_))
+        self.place = place
+        ProblemError.__init__(self, Diagnostic("given-up", f"given up at: {place}", help=help_))
 
 
 class NotCoveredError(ProblemError):

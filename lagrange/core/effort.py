@@ -214,7 +214,7 @@ def allowed_for(stage: str, units: float) -> Iterator[None]:
         with allowed(units):
             yield
     except (GivenUpError, MemoryError) as stop:
-        raise GaveUpError(stage, reason(stop)) from None
+        raise GaveUpError(f"{stage}, {reason(stop)}") from None
 
 
 def reason(stop: BaseException) -> str:

@@ -201,3 +201,9 @@ def all_hold(verdicts: Iterable[bool | None]) -> bool | None:
     """Whether all verdicts are True: False if one is False, otherwise None if one is undecided (Kleene)."""
     known = set(verdicts)
     return False if False in known else None if None in known else True
+
+
+def any_holds(verdicts: Iterable[bool | None]) -> bool | None:
+    """Whether one verdict is True: otherwise None if one is undecided, and False if all are False (Kleene)."""
+    known = set(verdicts)
+    return True if True in known else None if None in known else False

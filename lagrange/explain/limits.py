@@ -1,6 +1,6 @@
 """What a page shows of a result that is too long to be read. Nothing here decides what is true; JSON has all of it.
 
-Sizes are operations (of `core.operations`): on eight shipped pages one takes 3.3 characters, so that a line of 80
+Sizes are operations (`core.expression_size`): on eight shipped pages one takes 3.3 characters, so that a line of 80
 columns has room for some 20. They were chosen by reading pages; changing one changes golden files.
 """
 

@@ -364,7 +364,7 @@ def remarks(solution: Solution, method: Method) -> tuple[Diagnostic, ...]:
 
 def _below_kinetic(problem: Problem) -> Iterator[Diagnostic]:
     """A note on each static friction coefficient below the kinetic one, if the file gives their values."""
-    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    values = problem.given_values
     for f in problem.forces:
         if not isinstance(f, Friction) or f.static is None:
             continue

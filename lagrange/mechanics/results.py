@@ -11,8 +11,9 @@ number in a question, `x = 2 m`, hides the unit of its formula. Nothing is said 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -180,6 +181,15 @@ class Solution:
     def views(self) -> tuple[InCoordinates, ...]:
         """The system in every set of coordinates, the file's own first."""
         return (self.own, *self.choices)
+
+    def view(self, name: str) -> InCoordinates:
+        """The system in one set of coordinates, by the name of the choice; `""` is the file's own."""
+        return next(v for v in self.views if v.name == name)
+
+    def with_views(self, views: Iterable[InCoordinates], **changes: Any) -> Solution:
+        """The solution with other results in each set of coordinates, and with other fields."""
+        own, *choices = views
+        return replace(self, own=own, choices=tuple(choices), **changes)
 
     @property
     def chosen(self) -> InCoordinates:

@@ -85,7 +85,7 @@ def solve(
 
 
 def kinematics_and_law(problem: Problem) -> Solution:
-    """Kinematics and, if motion is asked for, Newton's law: all that a figure needs."""
+    """Kinematics and, if motion is asked for, Newton's law: all that a figure needs (sheets of figures, and tests)."""
     solution = _kinematics(problem, None, silent)
     if Find.MOTION not in problem.find:
         return solution
@@ -113,9 +113,10 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     try:
         solution = blank = _kinematics(problem, choice, begin)
     except (GivenUpError, MemoryError) as stop:
-        raise GaveUpError(running, reason(stop)) from None
-    stages = _stages(problem, blank, complete, method, begin)
-    if not blank.own.elimination.is_closed:
+        raise GaveUpError(f"{running}, {reason(stop)}") from None
+    if blank.own.elimination.is_closed:
+        stages = _stages(problem, blank, complete, method, begin)
+    else:
         from lagrange.mechanics.large_systems import stages_of_large
 
         stages = stages_of_large(problem, begin)
@@ -232,10 +233,7 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
         on_stage(_stage("checks", view))
         checks += _checks_of_motion(view, moving[0] if moving else view, law)
         moving.append(view)
-    own, *choices = moving
-    moved = replace(
-        solution, problem=law.problem, law=law, works=works, own=own, choices=tuple(choices), checks=tuple(checks)
-    )
+    moved = solution.with_views(moving, problem=law.problem, law=law, works=works, checks=tuple(checks))
     are_short = all(v.dynamics is None or v.dynamics.reactions is None or v.dynamics.reactions.complete for v in moving)
     moved = _with_spots(moved, every=complete or not are_short)
     if not are_short:
@@ -253,8 +251,7 @@ def _with_spots(solution: Solution, every: bool) -> Solution:
             with_spot[view.name] = view = replace(view, spot=spot_of_motion(view.dynamics, solution.problem))
         if view.spot is not None and not every:
             break
-    own, *choices = (with_spot.get(v.name, v) for v in solution.views)
-    return replace(solution, own=own, choices=tuple(choices))
+    return solution.with_views(with_spot.get(v.name, v) for v in solution.views)
 
 
 def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete: bool) -> InCoordinates:
@@ -325,7 +322,7 @@ def _with_speeds(solution: Solution, on_stage: OnStage) -> Solution:
             checks += check_speeds(form, problem)
             view = replace(view, in_speeds=form)
         views.append(view)
-    return replace(solution, own=views[0], choices=tuple(views[1:]), checks=tuple(checks))
+    return solution.with_views(views, checks=tuple(checks))
 
 
 def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
@@ -396,10 +393,10 @@ def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
         checks.extend(check_response(steady) if steady is not None else ())
         return replace(view, forced=equations, response=steady)
 
-    own, *choices = map(forced, solution.views)
-    if all(v.forced is None for v in (own, *choices)):
+    views = [*map(forced, solution.views)]
+    if all(v.forced is None for v in views):
         raise NotCoveredError("forced oscillations without a choice of free coordinates")
-    return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))
+    return solution.with_views(views, checks=tuple(checks))
 
 
 def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
@@ -425,8 +422,8 @@ def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
             checks.extend(check_steady(view.steady) if view.steady else ())
         return view
 
-    own, *choices = map(in_momenta, solution.views)
-    return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))
+    moved = solution.with_views(map(in_momenta, solution.views))
+    return replace(moved, checks=tuple(checks))
 
 
 def _with_impact(solution: Solution, on_stage: OnStage) -> Solution:
@@ -476,15 +473,8 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         stability = stability_at_rest(resting)
         checks += check_minima(resting, stability)
         views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
-    return replace(
-        solution,
-        problem=law.problem if law else problem,
-        law=law,
-        works=tuple(works),
-        own=views[0],
-        choices=tuple(views[1:]),
-        checks=tuple(checks),
-    )
+    problem = law.problem if law else problem
+    return solution.with_views(views, problem=problem, law=law, works=tuple(works), checks=tuple(checks))
 
 
 def _with_numbers(solution: Solution) -> Solution:
@@ -588,13 +578,8 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
                     name = "the forces at rest satisfy Lagrange's equations"
                     checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
         views.append(view)
-    return replace(
-        solution,
-        problem=law.problem if solution.law is None else solution.problem,
-        law=solution.law or law,
-        works=tuple(works),
-        own=views[0],
-        choices=tuple(views[1:]),
-        checks=tuple(checks),
-        given_up=given_up,
+    problem = law.problem if solution.law is None else solution.problem
+    law = solution.law or law
+    return solution.with_views(
+        views, problem=problem, law=law, works=tuple(works), checks=tuple(checks), given_up=given_up
     )

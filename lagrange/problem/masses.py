@@ -3,7 +3,7 @@
 An abbreviation may use the position r_P of a particle, and a position may use an abbreviation or another position. Each
 entry is read once, after those whose names it uses; entries that are defined by one another are an error.
 
-A body adds vectors to the language: its position, its angular velocity and its axes (`core.triads`). How it is turned
+A body adds vectors to the language: its position, its angular velocity and its axes (`core.vectors`). How it is turned
 is read apart from where it is, because its position may use its axes. A planar body has an angle about k; in space it
 has a sequence of three rotations about body axes, or the file gives the triad of the inertia and the angular velocity.
 

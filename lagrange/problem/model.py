@@ -521,11 +521,7 @@ class Answers:
 
 @record
 class Problem(Shown):
-    """A problem file, read.
-
-    Positions, masses and forces are SymPy expressions; coordinates, velocities and accelerations are symbols called
-    `x`, `x'` and `x''`.
-    """
+    """A problem file, read. Coordinates, velocities and accelerations are symbols called `x`, `x'` and `x''`."""
 
     title: str
     coordinates: tuple[Coordinate, ...]
@@ -585,6 +581,11 @@ class Problem(Shown):
         """The coordinate that is the distance r of a frame e_r, e_φ: it is not negative; None without such a frame."""
         first = self.frame.names[0] if self.frame is not None and self.frame.turning else ""
         return next((c.symbol for c in self.coordinates if first == f"e_{c.symbol}"), None)
+
+    @property
+    def given_values(self) -> dict[sp.Symbol, sp.Expr]:
+        """The numbers that the file gives to parameters."""
+        return {p.symbol: p.value for p in self.parameters if p.value is not None}
 
     @property
     def geometric(self) -> tuple[Constraint, ...]:

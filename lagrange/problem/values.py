@@ -258,7 +258,7 @@ _NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "mis
 
 def values_of(problem: Problem) -> Values | None:
     """The values of a problem; None if it has none, so that nothing is loaded for them."""
-    numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    numbers = problem.given_values
     return None if not numbers else _values(problem, numbers)
 
 

@@ -110,8 +110,7 @@ def prepared_solution(
     """
     settings = settings or Settings()
     if solution.given_up:
-        stage, _, why = solution.given_up.rpartition(", ")
-        raise GaveUpError(stage, why)
+        raise GaveUpError(solution.given_up)
     states = state_equations(solution, choice).with_functions(settings.functions)
     taken = _samples(states, solution) if complete else {}
     states = states.with_functions(taken)

@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from lagrange.core.records import all_hold, record
+from lagrange.core.records import all_hold, any_holds, record
 
 
 def described(made: Callable[[type], type]) -> tuple[type, type]:
@@ -194,3 +194,11 @@ def test_a_record_that_could_not_be_completed_is_completed_when_it_is_used_again
 )
 def test_undecided_is_not_false(verdicts: list[bool | None], expected: bool | None) -> None:
     assert all_hold(verdicts) is expected
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "expected"),
+    [([], False), ([False, False], False), ([False, None], None), ([None, True, False], True), ([True], True)],
+)
+def test_one_of_several_holds(verdicts: list[bool | None], expected: bool | None) -> None:
+    assert any_holds(verdicts) is expected

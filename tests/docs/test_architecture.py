@@ -9,7 +9,7 @@ import ast
 import doctest
 import importlib
 import re
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -42,6 +42,9 @@ PACKAGES = [
     "api",
 ]
 """Each package imports only from itself and from those before it; `lagrange` and the command import from all of them."""
+
+SOURCES = sorted(p for folder in ("lagrange", "cli") for p in (ROOT / folder).rglob("*.py"))
+_REFERENCE = re.compile(r"`((?:[a-z_]+\.)*([a-z_]+)\.(_?[A-Za-z]\w*))")
 
 MOST_MODULES = 20
 """In one folder."""
@@ -334,3 +337,34 @@ def test_every_module_has_a_test_file_of_its_name() -> None:
     assert all((ROOT / "tests" / file).is_file() for file in TESTED_ELSEWHERE.values())
     assert [m for m in modules if not tests_of(m)] == []
     assert [p.name for p in tests_of("lagrange.algebra.exact.triangular")] == ["test_triangular.py"]
+
+
+def _names_by_module() -> dict[str, set[str]]:
+    """What each module defines or imports, and each package contains, by the last part of its name."""
+    found: defaultdict[str, set[str]] = defaultdict(set)
+    for path in SOURCES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef | ast.ClassDef):
+                found[path.stem].add(node.name)
+            elif isinstance(node, ast.Import | ast.ImportFrom):
+                found[path.stem] |= {a.asname or a.name for a in node.names}
+            elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+                found[path.stem].add(node.id)
+        found[path.parent.name].add(path.stem)
+        found[path.parent.parent.name].add(path.parent.name)
+    return found
+
+
+def test_what_a_comment_refers_to_exists() -> None:
+    """`sampler.Branches` in a docstring or comment: a module of the project and a name in it."""
+    known = _names_by_module()
+    stale = [
+        f"{path}: {module}.{name}"
+        for path in SOURCES
+        for whole, module, name in _REFERENCE.findall(path.read_text(encoding="utf-8"))
+        if module in known
+        and module != "lagrange"
+        and name not in known[module] | {"py", "js", "json", "svg"}
+        and "sympy" not in whole
+    ]
+    assert stale == []

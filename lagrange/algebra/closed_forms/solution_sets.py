@@ -22,7 +22,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, dif
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import sign_in_range
 
 
@@ -339,7 +339,7 @@ def _satisfies(point: Values, equations: Sequence[sp.Expr], letters: TrigLetters
             verdicts.append(False if bad else is_zero(letters.write(e)))
         except DivisionByZeroError:
             verdicts.append(False)
-    return False if False in verdicts else None if None in verdicts else True
+    return all_hold(verdicts)
 
 
 def merged_branches(branches: Sequence[Branch]) -> list[Branch]:

@@ -25,7 +25,7 @@ REAL_DIGITS = 80
 ZERO_DIGITS = 60
 NONZERO_DIGITS = 42
 
-# Signs (`sign_regions.Branches`). Of k signs at most 20·2^k points are taken, until all patterns have been met: one
+# Signs (`sampler.Branches`). Of k signs at most 20·2^k points are taken, until all patterns have been met: one
 # pattern is missed with the probability (1 − 2^-k)^(20·2^k), about e^-20. Two points only, half of which are on the
 # right branch, called √(a² + 2ab + b²) − a − b not zero (zero at 19 points of 40 in the first trials).
 POINTS_PER_SIGN_PATTERN = 20

@@ -32,7 +32,7 @@ from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import numbers_rounding_to
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.effort import within
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.document.math_writer import text
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.newton import Newton
@@ -307,7 +307,7 @@ def _put_in(
         verdicts.append(_holds([e.xreplace(values) for e in written], motion, reference))
         if not r.with_decimals:
             balance.append(GivenEquation.of_reading_at(replace(r, components=exact, sides=()), f))
-    holds = False if False in verdicts else None if None in verdicts else True
+    holds = all_hold(verdicts)
     return ForcesPutIn(positions, tuple(balance), holds)
 
 
@@ -329,4 +329,4 @@ def _holds(residuals: Sequence[sp.Expr], motion: ImpendingMotion, reference: Ref
                 verdicts.append(True if close else is_zero(value))
             except (NotAlgebraicError, DivisionByZeroError):
                 verdicts.append(None)
-    return False if False in verdicts else None if None in verdicts else True
+    return all_hold(verdicts)

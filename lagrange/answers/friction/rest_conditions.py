@@ -25,7 +25,7 @@ from lagrange.answers.references import Reference
 from lagrange.answers.results.at_random import approximate, root_near
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
-from lagrange.core.records import all_hold, record
+from lagrange.core.records import all_hold, any_holds, record
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import limit_of
@@ -584,7 +584,7 @@ def _near_a_limit(
 
 def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, float]) -> bool | None:
     verdicts = [_all_hold(case, point) for case in cases]
-    return True if True in verdicts else None if None in verdicts else False
+    return any_holds(verdicts)
 
 
 def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, float]) -> bool | None:

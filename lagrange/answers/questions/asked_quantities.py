@@ -26,6 +26,7 @@ from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.records import all_hold
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, read_value, read_value_otherwise
@@ -167,7 +168,7 @@ class AskedClaim:
 
     def _rewritten(self, e: sp.Expr) -> sp.Expr:
         """An expression in the coordinates in which the question was answered."""
-        view = next(v for v in self.solution.views if v.name == self.asked.choice)
+        view = self.solution.view(self.asked.choice)
         return view.configuration.rewritten(e)
 
     def verdict(self, *, explaining: bool = True) -> tuple[Verdict, str]:
@@ -363,8 +364,7 @@ class AskedClaim:
         if same is None and difference.has(sp.log):
             same = is_zero(_parted_logarithms(difference))
         if same is False and self._is_angle():
-            both = [is_zero(sp.cos(difference) - 1), is_zero(sp.sin(difference))]
-            return False if False in both else None if None in both else True
+            return all_hold((is_zero(sp.cos(difference) - 1), is_zero(sp.sin(difference))))
         return same
 
     def _is_angle(self) -> bool:

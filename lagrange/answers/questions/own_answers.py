@@ -21,6 +21,7 @@ from lagrange.answers.verdicts import (
     missing_equilibria,
 )
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.records import all_hold
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Answers, Problem
 
@@ -84,7 +85,7 @@ def _why_not_integrable(
 
 def _together(name: str, parts: Mapping[str, bool | None], why: str = "") -> AnswerVerdict:
     """The verdict on several statements; it names the incorrect ones and says why they are wrong."""
-    verdict = _agrees(False if False in parts.values() else None if None in parts.values() else True)
+    verdict = _agrees(all_hold(parts.values()))
     named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
     heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
     diagnosis = f"{heading}: {', '.join(named)}" if len(parts) > 1 and named else ""

@@ -417,7 +417,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     if view.is_about_rest:
         from lagrange.explain.page.result_at_rest import reactions_of_only_root, result_at_rest
 
-        values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
+        values = solution.problem.given_values
         newton = None if solution.law is None else solution.law.newton
         held = solution.classification.degrees_of_freedom == 0
         yield from result_at_rest(view, values, newton, held=held, sought=solution.problem.unknowns)

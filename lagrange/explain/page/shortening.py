@@ -211,7 +211,7 @@ class Shortening:
         yield principle_shortly(step, accelerations, known=self._accelerations_known)
 
     def _equations_of_motion(self, step: Step) -> Iterator[Step]:
-        view = next(v for v in self.solution.views if v.name == step.choice)
+        view = self.solution.view(step.choice)
         motion = None if view.dynamics is None else view.dynamics.written
         first = step.choice not in self._choices_with_equations
         self._choices_with_equations.add(step.choice)
@@ -228,7 +228,7 @@ class Shortening:
         if self.newton is None:
             yield step
             return
-        view = next(v for v in self.solution.views if v.name == step.choice)
+        view = self.solution.view(step.choice)
         for made in _reactions(self.solution, step, self.newton):
             named = with_named_denominators(contact_once(made), self.names)
             shorter = in_accelerations(self.solution, named, view)
@@ -348,7 +348,7 @@ def _of_forms(solution: Solution, step: Step) -> Step:
 
 def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]:
     """Tensions instead of multipliers; in the file's coordinates and those of the first choice at once."""
-    view = next(v for v in solution.views if v.name == step.choice)
+    view = solution.view(step.choice)
     if view.dynamics is None or view.dynamics.reactions is None or view.equilibrium is not None:
         yield step
         return

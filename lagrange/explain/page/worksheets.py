@@ -140,7 +140,7 @@ def _task(solution: Solution, steps: Sequence[Step]) -> tuple[str, tuple[Part, .
     A rule that has no words here is asked for by its title.
     """
     rules = {s.rule for s in steps}
-    view = next(v for v in solution.views if v.name == steps[0].choice)
+    view = solution.view(steps[0].choice)
     if rules & {*ABOUT_CONSTRAINTS}:
         return _about_constraints(solution, rules)
     if rules & {*_FORCES}:

@@ -35,7 +35,7 @@ from lagrange.algebra.forms.exact_forms import Exactness, ExteriorForm, exactnes
 from lagrange.algebra.forms.velocity_polynomials import is_affine
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import cleaned_up, in_differences, is_many_waves, tidied
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.limits import CURVATURE_POINTS
@@ -348,4 +348,5 @@ def _depends_on_time(
         return None
     rate = slots.frozen_derivative
     verdicts = [surface.is_zero(rate(a) * pivot - a * rate(pivot)) for a in form]
-    return True if False in verdicts else None if None in verdicts else False
+    stays = all_hold(verdicts)
+    return None if stays is None else not stays

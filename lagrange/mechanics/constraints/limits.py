@@ -1,7 +1,7 @@
 """Limits of kinematics: beyond them an expression is left as it is, a place not looked for; nothing becomes wrong.
 
-Sizes are operations (of `core.operations`), nodes or terms. A number in brackets is the largest value met in the 129
-shipped problems, measured when the limits were gathered; "beyond" is how often a limit was exceeded there.
+Sizes are operations (`core.expression_size`), nodes or terms. A number in brackets is the largest value met in the
+129 shipped problems, measured when the limits were gathered; "beyond" is how often a limit was exceeded there.
 """
 
 # Solving constraints for coordinates (`coordinates`): nodes of an equation that is solved [23], and terms that it or

@@ -31,7 +31,7 @@ from lagrange.algebra.forms.exact_forms import ExteriorForm, differentiated, ext
 from lagrange.algebra.fourier.vector_cleanup import is_many_waves
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.inertia import NO_PRODUCTS
-from lagrange.core.records import all_hold, record
+from lagrange.core.records import all_hold, any_holds, record
 from lagrange.core.symbols import partial, t
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -157,8 +157,8 @@ def check_integrability(classification: Classification) -> list[Check]:
                 checks.append(Check(name, passed, "exact: by the derived system of this form alone"))
                 continue
             verdicts = [k.nonzero for k in c.frobenius]
-            vanishes = False if True in verdicts else None if None in verdicts else True
-            passed = None if vanishes is None else vanishes == c.integrable
+            nonzero = any_holds(verdicts)
+            passed = None if nonzero is None else nonzero != c.integrable
             checks.append(Check(name, passed, "exact: by its components and by the derived system"))
     return checks
 

@@ -1,7 +1,7 @@
 """Limits of dynamics: beyond them a result is not shown or a symmetry not found; nothing becomes wrong.
 
-Sizes are operations (of `core.operations`). A number in brackets is the largest value met in the 129 shipped problems,
-measured when the limits were gathered; "beyond" is how often a limit was exceeded there.
+Sizes are operations (`core.expression_size`). A number in brackets is the largest value met in the 129
+shipped problems, measured when the limits were gathered; "beyond" is how often a limit was exceeded there.
 """
 
 # Coordinates of a system without constraints that is solved for the accelerations (`motion`, `matrix_form`)

@@ -61,7 +61,7 @@ def spot_of_motion(motion: Motion, problem: Problem) -> SpotValue | None:
     If possible with those of its figure too; a linkage may need others than the position that is tried.
     """
     system = System(motion.equations.configuration, motion.equations.expressions)
-    given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    given = problem.given_values
     wanted = (*motion.slips, *motion.sliding, *motion.shown.positive)
     drawn = _as_drawn(problem)
     value = spot_value(system, given | drawn, wanted, motion.contacts)

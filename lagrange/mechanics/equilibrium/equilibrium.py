@@ -111,11 +111,11 @@ class Equilibrium:
     branches     those of the solution, without multipliers as far as possible
     multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
     singular     where the conditions multiplied by their denominators hold, but a force has no value
-    idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
+    idle         for each branch the coordinates on which the position does not depend there (`idle_coordinates`)
     poles        such branches of a choice at which the forces do not balance in the file's coordinates, omitted above
     outside      branches that lie outside of the ranges of the coordinates, omitted above
     slack        branches among them at which a contact would have to pull, or a string to push (`static_reactions`)
-    pulls        for each branch the forces of the springs there, by name (`spring_forces`)
+    pulls        for each branch the forces of the springs there, by name (`with_spring_forces`)
     laws         further conditions on the unknown forces, each zero, that are no virtual work: friction at its limit
     all_found    whether the places of rest that a search in numbers finds are in the list (`searched`); None: not tried
     """

@@ -1,7 +1,7 @@
 """Limits of statics and small oscillations: beyond them nothing is claimed, "undecided" or no result.
 
-Sizes are operations (of `core.operations`). A number in brackets is the largest value met in the 129 shipped problems,
-measured when the limits were gathered; "beyond" is how often a limit was exceeded there.
+Sizes are operations (`core.expression_size`). A number in brackets is the largest value met in the 129
+shipped problems, measured when the limits were gathered; "beyond" is how often a limit was exceeded there.
 """
 
 # Free coordinates whose leading minors are worked out [3]; of larger matrices of stiffness the other principal minors

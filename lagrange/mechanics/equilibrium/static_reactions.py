@@ -126,7 +126,7 @@ class Points:
     def holds(self, expression: sp.Expr, numbers: Mapping[sp.Symbol, sp.Expr] | None = None) -> bool | None:
         """Whether an expression is zero at every point, for given parameters. Raises DivisionByZeroError."""
         verdicts = [*self.verdicts(expression, numbers)]
-        return False if False in verdicts else None if None in verdicts or not verdicts else True
+        return all_hold(verdicts) if verdicts else None
 
 
 @record

@@ -35,7 +35,7 @@ def check_linear_motion(problem: Problem, configuration: Configuration, motion: 
     """At one drawn state nearby, with drawn values of parameters that have none."""
     random = Random(5)
     slots = configuration.slots
-    numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    numbers = problem.given_values
     numbers |= {s: sp.Rational(random.randint(20, 60), 17) for s in motion.letters}
     velocity = dict(zip(slots.coordinates, slots.velocities, strict=True))
     tiny = sp.Rational(1, 10**CHECKED_DISTANCE)

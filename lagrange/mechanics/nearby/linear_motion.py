@@ -148,7 +148,7 @@ def linear_motion(problem: Problem, configuration: Configuration) -> LinearMotio
                 help="give a state in `initial`: `initial: {theta: 0, x': v}`",
             )
         )
-    given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    given = problem.given_values
     letters = tuple(p.symbol for p in problem.parameters if p.value is None)
     if len(letters) > MOST_LETTERS:
         names = ", ".join(f"`{s.name}`" for s in letters)

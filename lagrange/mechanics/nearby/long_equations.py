@@ -194,7 +194,7 @@ def long_reactions(
     at, from_initial = _at(law.problem, configuration, independent, spot)
     numbers = {}
     if at is not None:
-        values = {p.symbol: p.value for p in law.problem.parameters if p.value is not None} | dict(at.state)
+        values = law.problem.given_values | dict(at.state)
         for r in lost:
             if r.name in at.multipliers:
                 numbers[r.name] = sp.N(at.multipliers[r.name] / r.per_force.xreplace(values))
@@ -306,7 +306,7 @@ def _at(
         return start, True
     if spot is None or t in spot.values:
         return None, False
-    parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    parameters = problem.given_values
     try:
         slots = configuration.slots
         free = [slots.coordinates[k] for k in independent]

@@ -111,7 +111,7 @@ def start_in_numbers(problem: Problem, configuration: Configuration) -> StateInN
     if not problem.initial or not has_numbers(problem):
         return None
     slots = configuration.slots
-    parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    parameters = problem.given_values
     known = {*slots.coordinates, *slots.velocities}
     stated = {i.symbol: i.value for i in problem.initial if i.symbol in known}
     try:
@@ -168,7 +168,7 @@ def rest_in_numbers(problem: Problem, configuration: Configuration) -> RestInNum
     if any(row.finite is None for row in configuration.rows) or configuration.variable_masses:
         raise NotCoveredError(f"{what} with constraints on velocities or masses that vary")
     slots = configuration.slots
-    parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    parameters = problem.given_values
     stated = {i.symbol: i.value for i in problem.initial if i.symbol in slots.coordinates}
     near = reference(configuration, stated, parameters)
     try:

@@ -35,7 +35,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
@@ -168,7 +168,7 @@ def _answer(
         unknowns.remove(question.by)
     equations = [*(a - b for a, b in conditions), *configuration.finite_constraints, *balance]
     elimination = eliminated(equations, quantity, unknowns, (), question.quantity)
-    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    values = problem.given_values
     kept = [b for b in (in_ranges(b, configuration, values) for b in elimination.branches) if b is not None]
     if question.quantity.is_positive:  # √(μ g/r) for a speed of rotation that the file takes to be positive
         kept = [b for b in kept if not b.values or any(sign_of(v) != -1 for v in b.values)]
@@ -295,7 +295,7 @@ def _checks(asked: Sequence[Asked], problem: Problem, law: RestLaw, newton: Newt
     if not exact:
         return []
     verdicts = [a.verified for a in exact]
-    satisfied = False if False in verdicts else None if None in verdicts else True
+    satisfied = all_hold(verdicts)
     checks = [Check("the answers to the questions satisfy the equations they were found from", satisfied, "exact")]
     results = [r for a in exact for r in _at_sampled_values(a, problem, law, newton)]
     if results:
@@ -316,7 +316,7 @@ def _at_sampled_values(asked: Asked, problem: Problem, law: RestLaw, newton: New
             zip(lagrange_equations(configuration).left, law.shares_of_friction(), strict=True)
         )
     ]
-    numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    numbers = problem.given_values
     open_ = [p.symbol for p in problem.parameters if p.value is None]
     numbers |= {s: sp.Rational(_PRIMES[n % len(_PRIMES)], 7) for n, s in enumerate(open_)}
     for b in asked.branches:

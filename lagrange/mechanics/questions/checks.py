@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import Sign, Unspecified, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check, multiplier_system
@@ -33,7 +33,7 @@ def check_questions(asked: Sequence[Asked], places: Sequence[MotionView]) -> lis
     if not exact:
         return []
     verdicts = [a.verified for a in exact]
-    satisfied = False if False in verdicts else None if None in verdicts else True
+    satisfied = all_hold(verdicts)
     checks = [Check("the answers to the questions satisfy the equations they were found from", satisfied, "exact")]
     own = next((p for p in places if not p.name), None)
     if own is None or not own.configuration.constrained.is_pfaffian:
@@ -74,7 +74,7 @@ class _SecondRoute:
         )
         problem = own.law.problem
         self.parameters = (*(p.symbol for p in problem.parameters), *problem.unknowns)
-        self.values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+        self.values = problem.given_values
         self.meanings = dict(own.law.newton.single_forces)
         self.energies = {KINETIC_ENERGY: kinetic_energy(configuration)}
 

@@ -3,7 +3,7 @@
 Of an equation for one coordinate q alone:
 
     q'' + c q' + k q = F(t)     with constant c and k; F a sum of constants, powers of t, cosines and sines
-    q'' = A(t) + B(t) q'        as of a rocket (`closed_forms.linear_in_speed`)
+    q'' = A(t) + B(t) q'        as of a rocket (`linear_motions.of_rates_in_time`)
     q'' = α − β q'^2            drag with the square of the velocity: u = exp(β (q − q_0)) satisfies u'' = α β u
 
 The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be

@@ -62,7 +62,7 @@ class Setting:
     @cached_property
     def values(self) -> SymbolValues:
         """Numbers for the parameters."""
-        return {p.symbol: p.value for p in self.problem.parameters if p.value is not None}
+        return self.problem.given_values
 
     @cached_property
     def not_given(self) -> list[sp.Symbol]:

@@ -502,7 +502,7 @@ def _check(
     configuration = place.configuration
     moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
     last = problem.initial[-1].span
-    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    values = problem.given_values
     # b = -asin(1/4) is no contradiction to r sin a + l sin b = 0 where l is 4 r
     for row in configuration.rows:
         forms = [row.velocity_form(configuration.slots)]

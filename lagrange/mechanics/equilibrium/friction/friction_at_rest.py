@@ -406,7 +406,7 @@ def _limits_of(
     """Between which limits one force must be, case by case; none if the signs of reactions are open."""
     if not solved.open or solved.equations or any(c.sign is None or len(c.components) > 1 for c in contacts):
         return []
-    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    values = problem.given_values
     coefficients = [c.coefficient for c in contacts]
     return limits_of_load(_in_cones(solved, contacts), load, coefficients, values, signs)
 

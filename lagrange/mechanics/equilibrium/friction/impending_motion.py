@@ -273,7 +273,7 @@ def _at_limit(
     elif held and (there := _where_held(resting, held)) is not None:
         pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
         resting = there
-    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    values = problem.given_values
     balance = [
         sp.Add(*(a * pressed[u] for a, u in zip(row, unknowns, strict=True)), -r)
         for row, r in zip(rows, right, strict=True)
@@ -282,7 +282,7 @@ def _at_limit(
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
     for c in contacts:
-        verdicts = {_sign_there(c, pressed, resting, signs, {p.symbol: p.value for p in problem.parameters if p.value})}
+        verdicts = {_sign_there(c, pressed, resting, signs, problem.given_values)}
         if -1 in verdicts:
             return None
         if None in verdicts and c.reaction.constraint.side is None and c.friction.contact is None:

@@ -224,7 +224,7 @@ def are_covered(
                 verdicts.append(_one_holds(tapes, place))
     except NoTapeError:
         return None
-    return False if False in verdicts else None if None in verdicts or not verdicts else True
+    return all_hold(verdicts) if verdicts else None
 
 
 def _one_holds(tapes: Sequence[Tape], place: Sequence[object]) -> bool | None:
