@@ -29,10 +29,12 @@ ZERO = sp.S.Zero
 
 
 def _place(rest: AtRest) -> Iterator[Block]:
-    """The position that the constraints hold, up to a displacement of the whole."""
+    """The position that the constraints hold, perhaps up to a displacement of the whole."""
     if rest.place:
         values = listed(math(q, v) for q, v in rest.place.items())
-        yield prose("Up to a displacement of the whole the constraints give ", *values, ", as used from here on.")
+        moves = any(not v.free_symbols.isdisjoint(rest.configuration.slots.coordinates) for v in rest.place.values())
+        begin = "Up to a displacement of the whole the constraints give " if moves else "The constraints admit "
+        yield prose(begin, *values, ", as used from here on.")
     for other in rest.elsewhere:
         differing = listed(math(q, v) for q, v in other.items() if rest.place.get(q) != v)
         yield prose("They also admit ", *differing, "; there rest is impossible, or needs more friction than here.")

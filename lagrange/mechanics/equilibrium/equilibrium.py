@@ -313,12 +313,14 @@ def equilibrium(
     unknown_forces: tuple[sp.Symbol, ...] = (),
     work: VirtualWork | None = None,
     laws: Sequence[sp.Expr] = (),
+    place: Mapping[sp.Symbol, sp.Expr] | None = None,
 ) -> Equilibrium:
     """The equilibria of a configuration, in closed form as far as possible.
 
     unknown_forces  the symbols to be found in addition to the coordinates
     work            of the forces at rest, if that is not the work of the applied forces
     laws            further conditions on the unknown forces, each zero
+    place           a position that the constraints hold: only there
     """
     if work is None:
         configuration = at_rest(configuration)
@@ -348,7 +350,7 @@ def equilibrium(
         (),
         laws=tuple(laws),
     )
-    return _for_forces(blank) or _for_all(blank)
+    return _for_forces(blank) or _for_all(blank, place or {})
 
 
 def _condition(work: VirtualWork, coordinate: sp.Symbol, force: Element) -> ConditionOfEquilibrium:
@@ -384,13 +386,12 @@ def at_position(e: Equilibrium, position: Mapping[sp.Symbol, sp.Expr]) -> Equili
     return e if held is None else held
 
 
-def _for_all(e: Equilibrium) -> Equilibrium:
-    """The equilibrium with all positions, and the forces belonging to them."""
+def _for_all(e: Equilibrium, place: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
+    """The equilibrium with all positions, or at one that the constraints hold, and the forces belonging to them."""
     multipliers = tuple(row.multiplier for row in e.binding)
-    if multipliers:
-        equations = [*e.balance(multipliers), *e.laws, *e.configuration.finite_constraints]
-    else:
-        equations = [*e.required]
+    position = [q - v for q, v in place.items()] or e.configuration.finite_constraints
+    forces = (*e.balance(multipliers), *e.laws) if multipliers else e.required
+    equations = [*(f.xreplace(dict(place)) for f in forces), *(position if multipliers else ())]
     coordinates = e.configuration.slots.coordinates
     unknowns = (*coordinates, *e.forces, *multipliers)
 

@@ -186,16 +186,17 @@ def would_act_backwards(
 
 def _one_sided(found: Reactions, newton: Newton) -> dict[str, sp.Expr]:
     """The forces that cannot be negative, by name of the constraint: of contacts, and the tensions of strings."""
-    strings = {r.name for r in newton.reactions if _is_string(r)} & found.tensions.keys()
+    strings = {r.name for r in newton.reactions if is_string(r)} & found.tensions.keys()
     return {name: found.tensions[name] for name in strings} | dict(found.contacts)
 
 
 def is_one_sided(r: Reaction) -> bool:
     """Whether a named force cannot be negative: of a contact, or the tension of a string."""
-    return r.named and (r.constraint.side is not None or (_is_string(r) and r.tension is not None))
+    return r.named and (r.constraint.side is not None or (is_string(r) and r.tension is not None))
 
 
-def _is_string(r: Reaction) -> bool:
+def is_string(r: Reaction) -> bool:
+    """Whether a string keeps the constraint, by its `by` or, without one, by its name."""
     by = r.constraint.by
     return by is Keeper.STRING or (by is None and is_called_string(r.name))
 

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import combinations
 
 import sympy as sp
@@ -31,11 +32,13 @@ import sympy as sp
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors
 from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
+from lagrange.core.symbols import without_known_magnitudes
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import without_root
@@ -43,6 +46,7 @@ from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Inequality, Signs, shortest
 from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_SHIFTED
+from lagrange.mechanics.equilibrium.static_reactions import is_string
 from lagrange.problem.model import Belt, Friction, Problem
 
 
@@ -99,13 +103,17 @@ class RoughContact:
 
 @record
 class SolvedBalance:
-    """The unknowns in terms of those left open; `linear` has (constant, coefficients) of each."""
+    """The unknowns in terms of those left open; `linear` has (constant, coefficients) of each.
+
+    one_sided  those that only push or only pull, each with a factor that makes it not negative
+    """
 
     forces: Mapping[sp.Symbol, sp.Expr]
     linear: Mapping[sp.Symbol, Inequality]
     open: tuple[sp.Symbol, ...]
     equations: tuple[sp.Expr, ...]
     presupposed: tuple[sp.Expr, ...]
+    one_sided: Sequence[tuple[Reaction, sp.Expr]]
 
 
 class ForceBalance:
@@ -142,6 +150,7 @@ class ForceBalance:
         self.unknowns = tuple(columns)
         self.sought = tuple(f for f in sought if f in forces)
         self.pressing = tuple(r.force for r in newton.reactions if r.constraint.side is not None)
+        self.one_sided = one_sided(newton, original.slots.coordinates)
         self.surface: Surface = configuration.surface
         count = len(original.slots.coordinates)
         right = [shortest(write(-q.xreplace(dict.fromkeys(forces, sp.S.Zero)))) for q in work.forces]
@@ -192,7 +201,8 @@ class ForceBalance:
             forces[unknown] = sp.Add(linear[unknown].constant, *(c * self.unknowns[o] for c, o in terms))
         left = [row[-1] for n, row in enumerate(work) if n not in pivots.values()]
         equations = tuple(e for e in left if not self._is_zero(e))
-        return SolvedBalance(forces, linear, tuple(self.unknowns[k] for k in open_), equations, tuple(presupposed))
+        unknown = tuple(self.unknowns[k] for k in open_)
+        return SolvedBalance(forces, linear, unknown, equations, tuple(presupposed), self.one_sided)
 
     def _is_zero(self, e: sp.Expr) -> bool:
         return e == 0 or self.surface.is_zero(e) is True
@@ -202,6 +212,29 @@ def _factors_that_may_vanish(pivot: sp.Expr, signs: Signs) -> list[sp.Expr]:
     above, _ = sp.fraction(sp.together(pivot))
     split = irreducible_factors(above)
     return [pivot] if split is None else [f for f in split if signs.of(f) is None]
+
+
+def one_sided(newton: Newton, coordinates: Collection[sp.Symbol]) -> list[tuple[Reaction, sp.Expr]]:
+    """The reactions that only push or only pull, each with what its unknown is multiplied by not to be negative.
+
+    So is the tension of a string that keeps distances, if the unknown is that up to a factor whose sign is known. Of
+    lengths that are coordinates, x_A + x_B = 0 over a pulley, the side to which they grow is not known.
+    """
+    senses: list[tuple[Reaction, sp.Expr]] = []
+    for r in newton.reactions:
+        if r.constraint.side is not None:
+            senses.append((r, sp.Integer(1 if r.named else r.constraint.side)))
+        elif is_string(r) and r.single is not None and _keeps_distances(r, coordinates):
+            sense = 1 if r.named else sign_of(r.single.factor)
+            senses += [(r, sp.Integer(sense))] if sense else []
+    return senses
+
+
+def _keeps_distances(r: Reaction, coordinates: Collection[sp.Symbol]) -> bool:
+    """Whether all that varies in a constraint are distances as such, |r_A − r_B| + |r_B − r_C| = l."""
+    f = r.constraint.function
+    beside = f.xreplace({a: sp.Dummy() for a in f.atoms(sp.Pow) if a.exp == sp.S.Half})
+    return r.rod is not None or (beside != f and beside.free_symbols.isdisjoint(coordinates))
 
 
 # Belts
@@ -285,12 +318,8 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     turning = {f.args[0] for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan)}
     if (upright := _upright(finite, used, turning, _held_outright(configuration))) is not None:
         return upright
-    try:
-        solved = solutions(finite, used)
-    except (NotAlgebraicError, DivisionByZeroError):
-        return {}
     held = []
-    for b in solved.branches:
+    for b in _positions(finite, tuple(used)):
         values = {r.lhs: r.rhs for r in b.relations if r.lhs in used and r.rhs.free_symbols.isdisjoint(used)}
         if b.left or b.special or len(values) < len(used):
             return {}
@@ -303,33 +332,45 @@ def held_positions(configuration: Configuration) -> list[dict[sp.Symbol, sp.Expr
     """The positions that the constraints hold, perhaps up to a displacement of the whole: logs in a pile on a floor.
 
     A coordinate that such a displacement changes stays a letter, by which the others are given. Positions outside of
-    the ranges of the coordinates are left out.
+    the ranges of the coordinates are left out, and where all angles can be 0 those in which they are not: a file is
+    written in the position in which its vectors are simple.
     """
     held = held_coordinates(configuration)
     finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
     used = [q for q in coordinates if any(q in f.free_symbols for f in finite)]
-    turning = {s for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.free_symbols}
-    if len(used) != len(finite) + 1 or len(used) > MOST_SHIFTED or turning & {*used}:
+    turning = {s for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.free_symbols} & {*used}
+    if not used or len(used) > MOST_SHIFTED or any(count_operations(f) > LONGEST_SLACK for f in finite):
         return [held]
-    shifted = _shifted_together(finite, used)
-    if not shifted or any(count_operations(f) > LONGEST_SLACK for f in finite):
+    shifted: tuple[sp.Symbol, ...] = ()
+    if len(used) == len(finite) + 1 and not turning:
+        shifted = _shifted_together(finite, used)
+    if not shifted and (held or len(used) != len(finite)):
         return [held]
-    origin, *others = shifted
-    unknowns = [q for q in used if q != origin]
-    try:
-        solved = solutions([f.xreplace({origin: sp.S.Zero}) for f in finite], unknowns)
-    except (NotAlgebraicError, DivisionByZeroError):
-        return [held]
+    at_origin = dict.fromkeys(shifted[:1], sp.S.Zero)
+    unknowns = [q for q in used if q not in at_origin]
+    solved = _positions(tuple(f.xreplace(at_origin) for f in finite), tuple(unknowns))
+    found = [(b, {r.lhs: r.rhs for r in b.relations if r.lhs in unknowns}) for b in solved]
+    upright = [(b, values) for b, values in found if all(values.get(q) == 0 for q in turning)]
     positions = []
-    for b in solved.branches:
-        values = {r.lhs: r.rhs for r in b.relations if r.lhs in unknowns and r.rhs.free_symbols.isdisjoint(used)}
-        if b.left or b.special or b.conditions or len(values) < len(unknowns):
+    for b, values in upright or found:
+        given = all(v.free_symbols.isdisjoint(used) for v in values.values())
+        if b.left or b.special or len(values) < len(unknowns) or not given or (shifted and b.conditions):
             return [held]
-        place = {q: v + origin if q in others else v for q, v in values.items()}
+        values = {q: without_known_magnitudes(v) for q, v in values.items()}
+        place = {q: v + shifted[0] if q in shifted else v for q, v in values.items()}
         ends = ((place[q] - r.low, r.high - place[q]) for q, r in configuration.ranges.items() if q in place)
         if all(sign_of(sp.expand(e)) != -1 for pair in ends for e in pair):
             positions.append(place)
     return positions or [held]
+
+
+@lru_cache(maxsize=32)
+def _positions(finite: tuple[sp.Expr, ...], coordinates: tuple[sp.Symbol, ...]) -> tuple[Branch, ...]:
+    """The positions that finite constraints admit; none if they are not found."""
+    try:
+        return solutions(finite, coordinates).branches
+    except (NotAlgebraicError, DivisionByZeroError):
+        return ()
 
 
 def _shifted_together(finite: Sequence[sp.Expr], used: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:

@@ -278,7 +278,8 @@ def rest_with_friction(
     positions = held_positions(configuration)
 
     def resting(wanted: tuple[sp.Symbol, ...]) -> AtRest:
-        there = [_at_rest(problem, newton, original, configuration, work, wanted, held) for held in positions]
+        only = len(positions) == 1
+        there = [_at_rest(problem, newton, original, configuration, work, wanted, held, only) for held in positions]
         return _least_demanding(there, Signs({p.symbol for p in problem.parameters}))
 
     if between:
@@ -312,8 +313,12 @@ def _at_rest(
     work: VirtualWork,
     sought: tuple[sp.Symbol, ...],
     position: Mapping[sp.Symbol, sp.Expr],
+    only: bool,
 ) -> AtRest:
-    """The same in one position, with conditions about these unknown forces; the others are eliminated."""
+    """The same in one position, with conditions about these unknown forces; the others are eliminated.
+
+    only  whether it is the only position
+    """
     equal = equal_angles(configuration)
     held = {**equal, **position}
     moving = {*configuration.slots.coordinates}
@@ -361,7 +366,7 @@ def _at_rest(
             partly,
             {q: e for q, e in equal.items() if held[q] == e},
             lengths=lengths,
-            place=position if shifted else {},
+            place=position if shifted or not only else {},
         )
 
     if len(contacts) >= CONTACTS_OF_LIMITS and not belts and len(system.sought) == 1:
@@ -388,7 +393,7 @@ def _at_rest(
             try:
                 solved = system.solved(signs, order)
                 unexamined: list[sp.Expr] = []
-                cases = _cases(solved, contacts, belts, newton, wanted, signs, most, unexamined)
+                cases = _cases(solved, contacts, belts, wanted, signs, most, unexamined)
             except NotEliminatedError:
                 if not solved.open:
                     break
@@ -440,7 +445,6 @@ def _cases(
     solved: SolvedBalance,
     contacts: Sequence[RoughContact],
     belts: Sequence[BeltLaw],
-    newton: Newton,
     wanted: SolvedFor,
     signs: Signs,
     most: int,
@@ -450,7 +454,7 @@ def _cases(
     if any(signs.of(e) in (1, -1) for e in solved.equations):
         return ()
     if not solved.open:
-        conditions = _determined(solved, contacts, belts, newton, wanted, signs)
+        conditions = _determined(solved, contacts, belts, wanted, signs)
         return () if conditions is None else (conditions,)
     if any(len(c.components) > 1 for c in contacts):
         raise NotEliminatedError
@@ -459,7 +463,7 @@ def _cases(
     for chosen in product((1, -1), repeat=len(open_signs)):
         settled = dict(zip((c.name for c in open_signs), chosen, strict=True))
         signed = [replace(c, sign=settled.get(c.name, c.sign)) for c in contacts]
-        inequalities = [*_one_sided(solved, newton), *_in_cones(solved, signed), *_on_drums(solved, belts)]
+        inequalities = [*_one_sided(solved), *_in_cones(solved, signed), *_on_drums(solved, belts)]
         for case in solvable(inequalities, signs, most):
             conditions = (
                 *(c for e in case.zero for c in vanishing(e, wanted, signs)),
@@ -480,14 +484,9 @@ def _sum(a: Inequality, b: Inequality) -> Inequality:
     return Inequality(tuple(shortest(x + y) for x, y in pairs), shortest(a.constant + b.constant))
 
 
-def _one_sided(solved: SolvedBalance, newton: Newton) -> list[Inequality]:
+def _one_sided(solved: SolvedBalance) -> list[Inequality]:
     """That one-sided constraints only push or pull."""
-    inequalities = []
-    for r in newton.reactions:
-        side = r.constraint.side
-        if side is not None:
-            inequalities.append(_scaled(sp.Integer(1 if r.named else side), solved.linear[r.force]))
-    return inequalities
+    return [_scaled(sense, solved.linear[r.force]) for r, sense in solved.one_sided]
 
 
 def _in_cones(solved: SolvedBalance, contacts: Sequence[RoughContact]) -> list[Inequality]:
@@ -524,17 +523,16 @@ def _determined(
     solved: SolvedBalance,
     contacts: Sequence[RoughContact],
     belts: Sequence[BeltLaw],
-    newton: Newton,
     wanted: SolvedFor,
     signs: Signs,
 ) -> tuple[RestCondition, ...] | None:
     """The bounds themselves; None if one of them never holds."""
     conditions: list[RestCondition] = []
     rough = {c.reaction.name for c in contacts if not c.also}
-    for r in newton.reactions:
-        if r.constraint.side is None or r.name in rough:
+    for r, sense in solved.one_sided:
+        if r.name in rough:
             continue
-        slack = solved.forces[r.force] * (1 if r.named else r.constraint.side)
+        slack = solved.forces[r.force] * sense
         sign = signs.of(slack)
         if sign == -1:
             return None

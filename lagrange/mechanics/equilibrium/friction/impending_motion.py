@@ -45,9 +45,16 @@ from lagrange.mechanics.constraints.kinematics import Configuration, Load
 from lagrange.mechanics.dynamics.contact.touching import point_on
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces, unpressed
-from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, at_position, equilibrium
-from lagrange.mechanics.equilibrium.friction.balance import BeltLaw, RoughContact, belt_laws, held_coordinates
+from lagrange.mechanics.equilibrium.friction.balance import (
+    BeltLaw,
+    RoughContact,
+    belt_laws,
+    held_coordinates,
+    held_positions,
+    one_sided,
+)
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
     SolvedFor,
@@ -137,11 +144,14 @@ def impending_motions(
     open_ = [c.name for c in contacts if c.name not in given]
     signs = Signs({p.symbol for p in problem.parameters})
     motions = []
+    held = held_positions(configuration)
+    places = held if len(held) > 1 else [{}]
     tied = _tied(contacts, statics, configuration)
     for chosen in product((1, -1), repeat=len(open_)):
         senses = given | dict(zip(open_, chosen, strict=True))
-        for signed in _signed(contacts):
-            motion = _at_limit(problem, newton, statics, configuration, elimination, signed, belts, senses, signs)
+        for signed, place in product(_signed(contacts), places):
+            here = tuple(c.at(place) for c in signed)
+            motion = _at_limit(problem, newton, statics, configuration, elimination, here, belts, senses, signs, place)
             if motion is not None and _can_slip(motion, open_, tied, signs):
                 motions.append(motion)
     return tuple(motions)
@@ -229,9 +239,16 @@ def _at_limit(
     belts: Sequence[BeltLaw],
     senses: Mapping[str, int],
     signs: Signs,
+    place: Mapping[sp.Symbol, sp.Expr],
 ) -> ImpendingMotion | None:
-    """One direction of slip in each contact; None if it is impossible."""
-    write = configuration.rewritten
+    """One direction of slip in each contact; None if it is impossible.
+
+    place  the position, if it is one of several that the constraints hold
+    """
+
+    def write(e: sp.Expr) -> sp.Expr:
+        return configuration.rewritten(e).xreplace(dict(place))
+
     unknowns = [r.force for r in newton.reactions]
     shares = {c.reaction.force: (c, senses[c.name] * (c.sign or 1) * c.coefficient * c.normal) for c in contacts}
     rows, right = [], []
@@ -263,11 +280,13 @@ def _at_limit(
             )
     loaded = replace(configuration, loads=(*configuration.loads, *loads))
     laws = [*beside, *(shortest(b.reserve.xreplace(pressed)) for b in belts)]
-    resting = equilibrium(loaded, elimination, problem.unknowns, laws=laws)
-    held: Mapping[sp.Symbol, sp.Expr] = {}
-    if resting.given or beside or len(resting.branches) > 1:
+    resting = equilibrium(loaded, elimination, problem.unknowns, laws=laws, place=place)
+    held = place
+    if not place and (resting.given or beside or len(resting.branches) > 1):
         held = held_coordinates(configuration)
-    if resting.given and held:
+    if place and not resting.given:
+        resting = _stated_where_held(resting, place)
+    elif resting.given and held:
         pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
         resting = at_position(resting, held)
     elif held and (there := _where_held(resting, held)) is not None:
@@ -279,7 +298,7 @@ def _at_limit(
         for row, r in zip(rows, right, strict=True)
     ]
     resting = _in_balance(_possible(resting, contacts, signs, values), balance)
-    if not resting.branches or _is_pulled_off(newton, pressed, signs):
+    if not resting.branches or _is_pulled_off(one_sided(newton, statics.original.slots.coordinates), pressed, signs):
         return None
     for c in contacts:
         verdicts = {_sign_there(c, pressed, resting, signs, problem.given_values)}
@@ -366,17 +385,23 @@ def _where_held(resting: Equilibrium, held: Mapping[sp.Symbol, sp.Expr]) -> Equi
     idle = tuple(resting.idle[n] for n in here if n < len(resting.idle))
     solution = resting.solution
     left = tuple(b for b in solution.branches if not b.points or not all(map(is_elsewhere, b.points)))
-    branches = tuple(_without_held(resting.branches[n], held) for n in here)
+    branches = tuple(resting.branches[n] for n in here)
+    resting = replace(resting, branches=branches, idle=idle, solution=replace(solution, branches=left))
+    return _stated_where_held(resting, held)
+
+
+def _stated_where_held(resting: Equilibrium, held: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
+    """The equilibria in a position, without saying again that it is this one."""
+    branches = tuple(_without_held(b, held) for b in resting.branches)
     at = [replace(c, expression=normalised(c.expression.xreplace(dict(held)))) for c in resting.conditions]
     conditions = tuple(c for c in at if c.expression != 0)
     laws = tuple(law.xreplace(dict(held)) for law in resting.laws)
-    resting = replace(resting, conditions=conditions, laws=laws)
-    return replace(resting, branches=branches, idle=idle, solution=replace(solution, branches=left))
+    return replace(resting, conditions=conditions, laws=laws, branches=branches)
 
 
 def _without_held(b: Branch, held: Mapping[sp.Symbol, sp.Expr]) -> Branch:
     """The branch with what it says beside the position that the constraints hold."""
-    other = tuple(r for r in b.relations if r.lhs not in held or is_zero(r.rhs - held[r.lhs]) is not True)
+    other = tuple(r for r in b.relations if r.lhs not in held or shortest(r.rhs - held[r.lhs]) != 0)
     return replace(b, relations=other or b.relations)
 
 
@@ -449,12 +474,11 @@ def _coefficients_solved(b: Branch, resting: Equilibrium) -> Branch:
     return replace(b, relations=tuple(relations), left=tuple(left))
 
 
-def _is_pulled_off(newton: Newton, pressed: Mapping[sp.Symbol, sp.Expr], signs: Signs) -> bool:
+def _is_pulled_off(
+    reactions: Sequence[tuple[Reaction, sp.Expr]], pressed: Mapping[sp.Symbol, sp.Expr], signs: Signs
+) -> bool:
     """Whether one-sided constraints would have to pull, one of them or one of two."""
-    needed = []
-    for r in newton.reactions:
-        if r.constraint.side is not None:
-            needed.append(pressed[r.force] * (1 if r.named else r.constraint.side))
+    needed = [pressed[r.force] * sense for r, sense in reactions]
     for n, force in enumerate(needed):
         if any((signs.assuming(shortest(other)) if other != 0 else signs).of(force) == -1 for other in needed[:n]):
             return True

@@ -26,6 +26,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
+from lagrange.core.symbols import without_known_magnitudes
 from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_INEQUALITIES
 
 
@@ -120,7 +121,7 @@ def shortest(e: sp.Expr) -> sp.Expr:
     """An expression over one denominator, factored; with sin² + cos² = 1 if that makes it shorter."""
     if e.is_number or e.is_Symbol or count_operations(e) > LONGEST_SLACK:
         return e
-    best = in_sines_and_cosines(e)
+    best = in_sines_and_cosines(without_known_magnitudes(e))
     for one, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
         rule = {f**2: 1 - other(f.args[0]) ** 2 for f in best.atoms(one)}
         over, under = (sp.expand(part) for part in sp.fraction(best))

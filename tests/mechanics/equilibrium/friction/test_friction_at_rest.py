@@ -278,3 +278,38 @@ def test_a_pile_of_logs_is_held_up_to_a_displacement_of_the_whole(problem: Read)
     assert len(rest.elsewhere) == 1
     said = " ".join(terminal.text(result.derivation, result.notation, 100).split())
     assert "They also admit y₃ = R (1 − √3)" in said
+
+
+TONGS = """title: One arm of tongs, whose cord ends at a ring
+parameters: {W: positive, a: positive, h: positive, c: positive, d: positive, alpha: acute, mu: positive}
+coordinates: [x, y, theta, X, Y]
+bodies: {arm: {position: x*i + y*j, angle: theta}}
+particles: {half: {position: X*i + Y*j}}
+constraints:
+  pin: {equation: x = 0}
+  middle: {equation: X = 0}
+  cord: {equation: norm(r_arm - a*e1_arm + h*e2_arm) = a/cos(alpha), reaction: T}
+  tip: {equation: "dot(r_arm + c*e1_arm - d*e2_arm - r_half, i) >= c", reaction: N}
+forces:
+  weight: {on: half, vector: -W/2*j}
+  grip: {friction: mu, static: mu, constraint: tip, on: arm, at: r_arm + c*e1_arm - d*e2_arm, slip: j}
+find: [equilibrium, impending]
+answers:
+  rest: [mu >= d/(a + c + h*cot(alpha))]
+  equilibrium: [mu = d/(a + c + h*cot(alpha))]
+"""
+
+
+def test_tongs_hold_in_the_position_in_which_the_cord_pulls(problem: Read) -> None:
+    """By hand: 2 T sin α = W, and d N = c W/2 + a T sin α + h T cos α about the pin, with W/2 <= mu N at the tip."""
+    result = report(problem(TONGS))
+    rest = result.solution.own.at_rest
+    assert rest is not None
+    assert {q.name for q in rest.place} == {"x", "y", "theta", "X"}
+    other = [str(v) for place in rest.elsewhere for q, v in place.items() if q.name == "y"]
+    assert other == ["(a*sin(alpha) - h*cos(alpha))/cos(alpha)"]
+    written = in_json.as_object(result)
+    assert [a["verdict"] for a in written["answers"]] == ["equivalent", "equivalent"]
+    head = terminal.text(result.derivation, result.notation, 100).split("The system")[0]
+    assert "conditions of rest" in head
+    assert "at the limit" not in head
