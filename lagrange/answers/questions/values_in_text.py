@@ -465,8 +465,9 @@ def _holds_at_a_limit(
 
 
 _CLAUSE = re.compile(
-    r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for)\s*\$?\s*\Z", re.I
+    r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for|at)\s*\$?\s*\Z", re.I
 )
+_INTRODUCED = re.compile(r"\S\s+(?:if|when|where|once|provided(?: that)?|as soon as|for)\s*\$?\s*\Z", re.I)
 
 
 def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
@@ -478,9 +479,11 @@ def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
     span = fragment.span(0, len(fragment.text))
     line = span.source.text[: span.start].rsplit("\n", 1)[-1]
     clause = _CLAUSE.search(line)
-    if clause is None:
-        return set()
     parameters = {p.symbol for p in solution.problem.parameters}
+    if clause is None:  # `beta = alpha throughout when I_2 = ...`
+        label = label_of(fragment) if _INTRODUCED.search(line) else ""
+        own = (a.question for a in solution.asked if a.question.quantity in parameters)
+        return {q.name for q in own if q.quantity.name == label}
     words = {
         w.lower()[:LETTERS_OF_STEM] for w in re.findall(r"[^\W\d_]+", clause["clause"]) if len(w) >= LETTERS_OF_STEM
     }
