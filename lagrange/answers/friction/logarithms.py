@@ -53,3 +53,23 @@ def at(solution: SolutionSet, point: Mapping[sp.Expr, sp.Expr], e: sp.Expr) -> s
 def in_sums(e: sp.Expr) -> sp.Expr:
     """An expression with ln a − ln b for ln(a/b), a form that two results have in common."""
     return sp.expand_log(e) if e.has(sp.log) else e
+
+
+def parted_logarithms(e: sp.Expr) -> sp.Expr:
+    """log(a b/c) as log a + log b − log c: all logarithms of the same argument are one then.
+
+    A factor of unknown sign, m_0 − q t, is taken with one of its signs; log(−1), where one is left over, counts as a
+    number of its own.
+    """
+    of_minus = sp.Dummy("log(-1)")
+
+    def parted(argument: sp.Expr) -> sp.Expr:
+        factors = [f.as_base_exp() for f in sp.Mul.make_args(sp.factor(sp.together(argument)))]
+        if any(b.is_zero or b.is_real is False or not (b.is_positive or n.is_Integer) for b, n in factors):
+            return sp.log(argument)
+        reversed_ = [(b, n) for b, n in factors if not b.is_positive and b.could_extract_minus_sign()]
+        sizes = [(-b if (b, n) in reversed_ else b, n) for b, n in factors]
+        is_odd = sp.Add(*(n for _, n in reversed_)) % 2
+        return sp.Add(is_odd * of_minus, *(n * sp.log(b) for b, n in sizes))
+
+    return sp.expand(e.replace(sp.log, parted), log=False)

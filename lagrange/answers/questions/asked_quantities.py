@@ -17,8 +17,9 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibria import with_both_signs
+from lagrange.answers.friction.logarithms import parted_logarithms
 from lagrange.answers.limits import ROUNDING_DIGITS
-from lagrange.answers.questions.named_values import WRONG_UNIT, Judged, check_each, text_in_si
+from lagrange.answers.questions.named_values import WRONG_UNIT, Judged, check_each, label_of, text_in_si
 from lagrange.answers.readings import ForceMeaning, decimals_in, meanings_of_force
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, WORST_TO_BEST, AnswerVerdict, Verdict
@@ -48,13 +49,15 @@ _FACTORS = (
 """What would make a wrong value right."""
 _HALVED = ": its square is half as large, as from a kinetic energy without its 1/2"
 _SIDES = "one of two opposite values: the sense of the motion is left open by the initial state"
-_SPEED = "it is taken as a speed, without the sign that the velocity has here"
+_SPEED = "it is taken as a magnitude, without the sign that it has here"
 _SIGN = "it leaves the sign open"
 _OTHER = "it has other solutions as well"
 _ONE_OF_SEVERAL = "there are other values as well"
 _ONE_CASE = "it is right in one of several cases"
 _ROUNDED = "it is taken as a rounded number"
 _NOT_ANSWERED = "the derivation did not find an answer to compare with"
+MAGNITUDES = frozenset({"a", "alpha"})
+"""The letters of accelerations, whose sense a figure shows and nobody states."""
 _SAYS_NOTHING = "it says nothing about the quantity that is asked for"
 
 _CLOSE = sp.Rational(1, 10**ROUNDING_DIGITS)
@@ -151,6 +154,8 @@ class AskedClaim:
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
         self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name, otherwise)
         self.quantity = asked.question.quantity
+        letter = label_of(fragment).partition("_")[0]
+        self.letter = letter if letter not in reference.declared else ""
         law = solution.law
         self.reaction = next((r for r in law.newton.reactions if r.given == self.quantity), None) if law else None
         self.meaning: ForceMeaning | None = None  # of the reaction's name, where the answer is right
@@ -362,7 +367,7 @@ class AskedClaim:
             return numbers_rounding_to([residual]) is not None
         same = is_zero(difference)
         if same is None and difference.has(sp.log):
-            same = is_zero(_parted_logarithms(difference))
+            same = is_zero(parted_logarithms(difference))
         if same is False and self._is_angle():
             return all_hold((is_zero(sp.cos(difference) - 1), is_zero(sp.sin(difference))))
         return same
@@ -422,7 +427,9 @@ class AskedClaim:
         return (Verdict.EQUIVALENT, "") if decimals else (Verdict.UNDECIDED, UNDECIDED)
 
     def _is_odd(self) -> bool:
-        """Whether the quantity changes its sign with the velocities: a velocity, which may be given as a speed."""
+        """Whether a magnitude may be given: of a velocity, which changes its sign with the motion, or of `a = ...`."""
+        if self.letter in MAGNITUDES and str(self.quantity).endswith("''"):
+            return True
         velocities = {
             s: -s for s in self.quantity.free_symbols if s.name.endswith("'") and base(s).name + "'" == s.name
         }
@@ -538,26 +545,6 @@ def _without_half_angles(e: sp.Expr) -> sp.Expr:
             values = {sp.sin: sine, sp.cos: above, sp.tan: sine / above, sp.cot: above / sine}
             rule |= {wave: values[type(wave)]} if type(wave) in values else {}
     return e.xreplace(rule)
-
-
-def _parted_logarithms(e: sp.Expr) -> sp.Expr:
-    """log(a b/c) as log a + log b − log c: all logarithms of the same argument are one then.
-
-    A factor of unknown sign, m_0 − q t, is taken with one of its signs; log(−1), where one is left over, counts as a
-    number of its own.
-    """
-    of_minus = sp.Dummy("log(-1)")
-
-    def parted(argument: sp.Expr) -> sp.Expr:
-        factors = [f.as_base_exp() for f in sp.Mul.make_args(sp.factor(sp.together(argument)))]
-        if any(b.is_zero or b.is_real is False or not (b.is_positive or n.is_Integer) for b, n in factors):
-            return sp.log(argument)
-        reversed_ = [(b, n) for b, n in factors if not b.is_positive and b.could_extract_minus_sign()]
-        sizes = [(-b if (b, n) in reversed_ else b, n) for b, n in factors]
-        is_odd = sp.Add(*(n for _, n in reversed_)) % 2
-        return sp.Add(is_odd * of_minus, *(n * sp.log(b) for b, n in sizes))
-
-    return sp.expand(e.replace(sp.log, parted), log=False)
 
 
 def _vanishes(e: sp.Expr) -> bool | None:

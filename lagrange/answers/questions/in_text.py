@@ -23,6 +23,7 @@ from lagrange.answers.questions.equilibrium_in_text import (
     with_rate_as_omega,
 )
 from lagrange.answers.questions.named_values import NOT_EQUAL, sides_agree, stated_in_numbers, without_place
+from lagrange.answers.questions.stability_in_text import with_sentences_on_stability
 from lagrange.answers.questions.texts.frequency_labels import (
     is_characteristic,
     name_of_frequency,
@@ -64,7 +65,8 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     """The verdict on a text; that of `judge` if the text is about nothing else. Raises ProblemError."""
     from lagrange.answers.questions.texts.beside_motion import with_results_beside
 
-    return with_results_beside(answer, _judged(answer, solution, judge), solution)
+    judged = with_results_beside(answer, _judged(answer, solution, judge), solution)
+    return with_sentences_on_stability(answer, judged, solution)
 
 
 def _judged(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:

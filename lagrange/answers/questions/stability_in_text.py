@@ -22,19 +22,21 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+import mpmath
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.limits import CLEAR_STABILITY, ENOUGH_PLACES, SENTENCE_SAMPLES, STABILITY_SAMPLES
 from lagrange.answers.questions.texts.frequency_labels import stated_position
 from lagrange.answers.readings import GivenEquation
-from lagrange.answers.references import Reference
+from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.results.at_random import beside_limit
-from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.reading import read_as_written
+from lagrange.answers.written.values import WHEN
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import symbols_in
+from lagrange.core.symbols import base, symbols_in
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -45,8 +47,7 @@ WORD = re.compile(
     r"(?<![^\W\d_])(?P<not>un|in|not\s+|non[- ]|nicht\s+)?(?P<word>stab(?:le|il)|labil)(?![^\W\d_])", re.IGNORECASE
 )
 CONDITION = re.compile(
-    r"[^<>≤≥=]*?(?<![^\W\d_])(?:iff?|for|when|where|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|für|si|pour)\s+"
-    r"(?P<text>.*[<>≤≥].*)",
+    rf"[^<>≤≥=]*?(?<![^\W\d_]){WHEN}\s+(?P<text>.*[<>≤≥].*)",
     re.IGNORECASE | re.DOTALL,
 )
 ENDS = re.compile(
@@ -91,22 +92,31 @@ def with_stability(
 ) -> AnswerVerdict:
     """The verdict on positions of equilibrium, with that on their stated stability."""
     equations, whole = list(verdict.equations), verdict.verdict
-    places = [n for n, e in enumerate(equations) if e.verdict is not Verdict.UNREADABLE]
-    if len(places) != len(judged) or not any(WORD.search(getattr(f, "beside", "")) for f in judged):
-        return verdict
     for place, (is_wrong, why) in on_stability(judged, solution, reference).items():
-        n = places[place]
-        if equations[n].verdict is not Verdict.EQUIVALENT:
-            continue
-        equations[n] = EquationVerdict.of(equations[n].text, Verdict.WRONG if is_wrong else Verdict.INCOMPLETE, why)
+        stated = _text(judged[place])
+        later = sum(_text(f) == stated for f in judged[place + 1 :])  # the same position may be in a list before it
+        found = [n for n, e in enumerate(equations) if e.text == stated][::-1]
         worse = Verdict.WRONG if is_wrong else Verdict.INCOMPLETE
+        if later < len(found) and equations[found[later]].verdict is Verdict.EQUIVALENT:
+            equations[found[later]] = EquationVerdict.of(stated, worse, why)
+        elif not found:
+            equations.append(EquationVerdict.of(stated, worse, why))
+        else:
+            continue
         whole = worse if whole in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else whole
     return replace(verdict, verdict=whole, equations=tuple(equations))
 
 
+def _text(fragment: Fragment) -> str:
+    return fragment.reading.text if isinstance(fragment, GivenEquation) else fragment.text.strip()
+
+
 def _claim(fragment: Fragment, reference: Reference) -> _Claim | None:
     """The claim about stability that accompanies an equation; None unless there is exactly one."""
-    words = getattr(fragment, "beside", "")
+    return _claim_in(getattr(fragment, "beside", ""), reference)
+
+
+def _claim_in(words: str, reference: Reference) -> _Claim | None:
     matches = [*WORD.finditer(words)]
     if not matches or _AMBIGUOUS.search(words):
         return None
@@ -244,11 +254,42 @@ class _Clause:
 
 @record
 class _Place:
-    """An equilibrium, and the matrix that is positive definite where it is stable."""
+    """An equilibrium, and the matrix that is positive definite where it is stable.
+
+    motion  M and D of M ξ'' + D ξ' + K ξ = 0, whose matrix K is, if there are terms with velocities
+    """
 
     resting: Equilibrium
     branch: Branch
     matrix: sp.Matrix
+    motion: tuple[sp.Matrix, sp.Matrix] | None = None
+
+    @property
+    def expressions(self) -> list[sp.Expr]:
+        """Everything that stability depends on."""
+        relations = [r.lhs - r.rhs for r in self.branch.relations]
+        return [*self.resting.required, *self.matrix, *(e for m in self.motion or () for e in m), *relations]
+
+    def is_stable(self, at: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+        """Whether it is stable at values of the parameters; None if that is not clear."""
+        matrices = [m.xreplace(dict(at)).evalf() for m in (self.matrix, *(self.motion or ()))]
+        if any(not e.is_real for m in matrices for e in m):
+            return None
+        return is_stable(matrices[0]) if self.motion is None else _stays(*matrices)
+
+
+def _stays(stiffness: sp.Matrix, mass: sp.Matrix, damping: sp.Matrix) -> bool | None:
+    """Whether no motion exp(p t) near an equilibrium grows; None if that is not clear."""
+    size = stiffness.rows
+    try:
+        inverse = mass.inv()
+        lower = (-inverse * stiffness).row_join(-inverse * damping)
+        rates = mpmath.eig(mpmath.matrix(sp.zeros(size).row_join(sp.eye(size)).col_join(lower).tolist()), right=False)
+    except (ValueError, ZeroDivisionError, mpmath.NoConvergence):
+        return None
+    if min(map(abs, rates)) < CLEAR_STABILITY:
+        return None
+    return bool(max(mpmath.re(p) for p in rates) < CLEAR_STABILITY)
 
 
 def is_about_stability(text_: str) -> bool:
@@ -279,6 +320,75 @@ def check_stability_sentences(
     return AnswerVerdict(Verdict.WRONG if wrong else Verdict.EQUIVALENT, tuple(parts), name="stability")
 
 
+_ALL = re.compile(r"\b(?:both|all|each|every|beide|alle|jede[rs]?|toutes|tous|les\s+deux)\b", re.IGNORECASE)
+_ORDINALS = (r"first|former|erste|premi[eè]re?", r"second|zweite|deuxi[eè]me|seconde", r"third|dritte|troisi[eè]me")
+_LAST = re.compile(r"\b(?:latter|last|letzte|derni[eè]re?)\b", re.IGNORECASE)
+_SENTENCE = re.compile(rf"[;\n]|\.(?:\s|\Z)|,\s+(?=(?:and\s+)?(?:the|die|la)\s+(?:{'|'.join(_ORDINALS)}|other|latter))", re.I)
+
+
+def with_sentences_on_stability(answer: Sequence[Fragment], judged: Judgement, solution: Solution) -> Judgement:
+    """The verdict on a text with that on its sentences on stability: `Both are stable.`, `The second is unstable.`"""
+    if judged.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) or not answer:
+        return judged
+    sources = dict.fromkeys(f.whole.source for f in answer)
+    sentences = [s for source in sources for s in _SENTENCE.split(source.text.replace("$", " ")) if WORD.search(s)]
+    sentences = [s for s in sentences if "=" not in s.replace("<=", "").replace(">=", "")]
+    places = [*_all_places(solution)] if sentences else []
+    if not places:
+        return judged
+    reference = reference_of_solution(solution)
+    positions = [*_positions_in(answer, reference)]
+    parts = [p for s in sentences if (p := _judged_sentence(s, positions, places, reference, solution)) is not None]
+    if not parts:
+        return judged
+    wrong = any(p.verdict is Verdict.WRONG for p in parts)
+    verdict = AnswerVerdict(Verdict.WRONG if wrong else Verdict.EQUIVALENT, tuple(parts), name="stability")
+    return replace(judged, others=(*judged.others, verdict))
+
+
+def _positions_in(answer: Sequence[Fragment], reference: Reference) -> Iterator[Sequence[sp.Expr]]:
+    """What the equations of an answer between coordinates and parameters alone say, in their order."""
+    from lagrange.answers.equilibria import alternatives_of
+
+    for f in answer:
+        for [one] in [] if is_inequality(f) else alternatives_of([f]):
+            reading = read_as_written(one, reference.scope)
+            symbols = {s for e in reading.components for s in symbols_in(e)}
+            if reading.error is None and all(base(s) == s for s in symbols):
+                yield reading.components
+
+
+def _judged_sentence(
+    sentence: str,
+    positions: Sequence[Sequence[sp.Expr]],
+    places: Sequence[_Place],
+    reference: Reference,
+    solution: Solution,
+) -> EquationVerdict | None:
+    """The verdict on one sentence on stability without an equation; None if it cannot be judged."""
+    stated, claim = " ".join(sentence.split()), _claim_in(sentence, reference)
+    before = sentence[: WORD.search(sentence).start()]  # type: ignore[union-attr]
+    ordinal = next((n for n, o in enumerate(_ORDINALS) if re.search(rf"\b(?:{o})\b", before, re.IGNORECASE)), None)
+    if claim is None:
+        return None
+    about: list[bool] = []
+    known = []
+    for position in positions:
+        true = [t for p in places if (t := _holds_at(claim, position, p)) is not None]
+        known += [any(true)] if true else []
+    if _ALL.search(before):
+        about = known
+    elif ordinal is not None or _LAST.search(before):
+        about = known[ordinal : ordinal + 1] if ordinal is not None else known[-1:]
+    elif is_inequality(Fragment.of(sentence)):
+        found = check_stability_sentences([Fragment.of(sentence)], solution, reference)
+        return found.equations[0] if found is not None else None
+    if not about:
+        return None
+    right = all(about)
+    return EquationVerdict.of(stated, Verdict.EQUIVALENT if right else Verdict.WRONG, "" if right else WRONG_STABILITY)
+
+
 def check_stability_beside(
     answer: Sequence[Fragment], solution: Solution, reference: Reference
 ) -> AnswerVerdict | None:
@@ -303,8 +413,7 @@ def _holds_at(claim: _Claim, components: Sequence[sp.Expr], place: _Place) -> bo
     coordinates = place.resting.configuration.slots.coordinates
     moving = {*coordinates} & {s for e in components for s in e.free_symbols}
     conditions = [claim.condition] if claim.condition is not None else []
-    everything = [*place.resting.required, *place.matrix, *components, *conditions]
-    everything += [r.lhs - r.rhs for r in place.branch.relations]
+    everything = [*place.expressions, *components, *conditions]
     parameters = sorted({s for e in everything for s in e.free_symbols} - {*coordinates}, key=str)
     angles = {s for e in everything for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.args[0].free_symbols}
     draw, found = random.Random(5), set()
@@ -352,15 +461,17 @@ def _all_places(solution: Solution) -> Iterator[_Place]:
                 yield _Place(view.equilibrium, branch, sp.Matrix(view.stability.matrix))
         elif view.linearization is not None:
             for branch, s in zip(view.linearization.branches, view.linearization.at, strict=True):
-                if s is not None and all(e == 0 for row in s.system.damping for e in row):
-                    yield _Place(view.linearization.equilibrium, branch, sp.Matrix(s.system.stiffness))
+                if s is not None:
+                    resting, mass, damping = s.system.stiffness, s.system.mass, s.system.damping
+                    moving = any(e != 0 for row in damping for e in row)
+                    motion = (sp.Matrix(mass), sp.Matrix(damping)) if moving else None
+                    yield _Place(view.linearization.equilibrium, branch, sp.Matrix(resting), motion)
 
 
 def _is_true(clauses: Sequence[_Clause], place: _Place) -> bool:
     """Whether the clauses are true at an equilibrium, which is stable in some cases and unstable in others."""
     coordinates = place.resting.configuration.slots.coordinates
-    everything = [*place.resting.required, *place.matrix, *(c.condition for c in clauses)]
-    everything += [r.lhs - r.rhs for r in place.branch.relations]
+    everything = [*place.expressions, *(c.condition for c in clauses)]
     parameters = sorted({s for e in everything for s in e.free_symbols} - {*coordinates}, key=str)
     angles = {s for e in everything for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.args[0].free_symbols}
     draw, seen = random.Random(3), set()
@@ -390,9 +501,6 @@ def _states(
         if position is None:
             continue
         at = {**state, **position}
-        numbers = place.matrix.xreplace(at).evalf()
-        if any(not e.is_real for e in numbers):
-            continue
-        stable = is_stable(numbers)
+        stable = place.is_stable(at)
         if stable is not None:
             yield stable, at

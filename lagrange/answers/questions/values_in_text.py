@@ -32,15 +32,16 @@ import sympy as sp
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.limits import LETTERS_OF_STEM, LONGEST_RUN_OF_LETTERS
-from lagrange.answers.questions.asked_quantities import check_asked, claims_of, with_stated_forces
+from lagrange.answers.questions.asked_quantities import MAGNITUDES, check_asked, claims_of, with_stated_forces
 from lagrange.answers.questions.named_values import NOT_EQUAL, at_a_value, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.joined_lines import has_sign_of_equality
 from lagrange.answers.written.judging import is_of_motion
 from lagrange.answers.written.lines import in_pairs
+from lagrange.answers.written.names import lines_with, spelled_out
 from lagrange.answers.written.reading import read_as_written, tried, undeclared
-from lagrange.answers.written.statements import statement
+from lagrange.answers.written.statements import marked_coordinates, statement
 from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
@@ -241,6 +242,7 @@ _FREQUENCY = re.compile(r"[\s$]*\\?(?:omega|Omega|ω|Ω)(?:_\w+|\^2|²)?\s*=")
 _SPEED_QUANTITIES = frozenset({"v", "V", "u", "w", "omega", "speed", "velocity"})
 _TIMES = frozenset({"t", "T", "tau", "time"})
 _NOT_JUDGED = (Verdict.UNREADABLE, Verdict.UNDECIDED)
+_NO_ANSWER = (*_NOT_JUDGED, Verdict.TRIVIAL)
 
 
 @record
@@ -269,28 +271,32 @@ def asked_in_text(
     defined = understood(answer, reference).defined
     scalars = {n: e for n, e in defined.items() if n not in reference.scope.scalars}
 
-    def with_definitions(without: str) -> Reference:
-        added = {n: e for n, e in scalars.items() if n != without}
+    def with_definitions(without: Collection[str] = ()) -> Reference:
+        added = {n: e for n, e in scalars.items() if n not in without}
         return replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **added}))
 
     has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
         fragment, questions = _at_its_place(fragment, every)
         fragment = _with_number_as_side(fragment)
-        wider = with_definitions("")
+        wider = with_definitions()
         if _is_condition(fragment, questions, reference) or _is_condition(fragment, questions, wider):
             continue
-        own = label_of(fragment)  # of v(h) = a, v(t) = b each is the label of a value; N = 0 is about the N before it
+        left = spelled_out(fragment.text.partition("=")[0])
+        own = {n for n in scalars if n == label_of(fragment) or lines_with(n, [left])}  # of v(h) = a, v(t) = b each
         compared = [*_verdicts(fragment, questions, solution, reference)]
-        for names in [with_definitions(own), wider] if own in scalars else [wider] if scalars else []:
+        for names in [with_definitions(own), wider] if own else [wider] if scalars else []:
             if any(v.verdict is Verdict.EQUIVALENT for _, v in compared):
                 break
             with_names = [*_verdicts(fragment, questions, solution, names)]
             right_so = any(v.verdict is Verdict.EQUIVALENT for _, v in with_names)
             compared = with_names if right_so else compared or with_names
         right = [(name, v) for name, v in compared if v.verdict is Verdict.EQUIVALENT]
+        marked = {*marked_coordinates(fragment, reference.scope).values()}  # 1 - cos(theta_max) = ...
         named = [
-            a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
+            a.question.name
+            for a in questions
+            if _is_named(fragment, a) or _states_quantity(fragment, a, reference) or a.question.quantity in marked
         ]
         named = [] if _NAMES_A_RATE.match(fragment.text) or is_used_beside(fragment, answer, reference) else named
         named = [] if _is_potential_energy(fragment, answer, wider) else named
@@ -298,7 +304,7 @@ def asked_in_text(
         about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
         named = _labels_before(fragment, questions) or _of_function(named, fragment, questions, reference)
-        judged = [(name, v) for name, v in compared if v.verdict not in _NOT_JUDGED and name in named]
+        judged = [(name, v) for name, v in compared if v.verdict not in _NO_ANSWER and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
         elif right:
@@ -459,8 +465,9 @@ def _holds_at_a_limit(
 
 
 _CLAUSE = re.compile(
-    r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for)\s*\$?\s*\Z", re.I
+    r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for|at)\s*\$?\s*\Z", re.I
 )
+_INTRODUCED = re.compile(r"\S\s+(?:if|when|where|once|provided(?: that)?|as soon as|for)\s*\$?\s*\Z", re.I)
 
 
 def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
@@ -472,9 +479,11 @@ def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
     span = fragment.span(0, len(fragment.text))
     line = span.source.text[: span.start].rsplit("\n", 1)[-1]
     clause = _CLAUSE.search(line)
-    if clause is None:
-        return set()
     parameters = {p.symbol for p in solution.problem.parameters}
+    if clause is None:  # `beta = alpha throughout when I_2 = ...`
+        label = label_of(fragment) if _INTRODUCED.search(line) else ""
+        own = (a.question for a in solution.asked if a.question.quantity in parameters)
+        return {q.name for q in own if q.quantity.name == label}
     words = {
         w.lower()[:LETTERS_OF_STEM] for w in re.findall(r"[^\W\d_]+", clause["clause"]) if len(w) >= LETTERS_OF_STEM
     }
@@ -547,4 +556,5 @@ def _is_named(fragment: Fragment, asked: Asked) -> bool:
             return name in _TIMES
         if symbol.name == base(symbol).name:
             return bool(name == symbol.name.partition("_")[0] or match[0].strip(" $=\\") == symbol.name)
-    return any(base(s) != s and s.name.count("'") == 1 for s in symbols) and name in _SPEED_QUANTITIES
+    orders = {s.name.count("'") for s in symbols if base(s) != s}
+    return (1 in orders and name in _SPEED_QUANTITIES) or (orders == {2} and name in (*MAGNITUDES, "acceleration"))

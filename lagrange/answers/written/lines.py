@@ -25,6 +25,7 @@ from lagrange.answers.written.values import (
     CONDITIONAL,
     STABILITY,
     exact_results,
+    with_claim_last,
     with_equality,
     with_place_first,
     without_star,
@@ -127,7 +128,7 @@ _PLACE_BEFORE = re.compile(
 
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
     """The equations of one line, each without accompanying words; `beside` are the words above it."""
-    fragment = with_place_first(with_equality(fragment))
+    fragment = with_claim_last(with_place_first(with_equality(fragment)))
     if place := _PLACE_BEFORE.match(fragment.text):
         beside = f"{beside} {place[0]}"
         fragment = _part(fragment, place.end(), len(fragment.text))

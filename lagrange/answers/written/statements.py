@@ -36,7 +36,9 @@ _BEYOND = re.compile(
 )
 _INDEX = r"(?:\{(?:[^{}]|\{[^{}]{0,20}\}){0,30}\}|\\(?:text|mathrm|rm)\s*\{[^{}]{0,20}\}|\\?(?:(?![²³])\w){1,12}|\*)"
 _GREEK = "|".join(sorted(set(GREEK.values()), key=len, reverse=True))
-_MARKED = re.compile(rf"\\?(?P<name>[^\W\d_]|{_GREEK})_(?:\{{\s*)?(?:\\text\s*\{{)?(?P<index>\w{{1,12}})")
+_MARKED = re.compile(
+    rf"\\?(?P<name>[^\W\d_]|{_GREEK})_(?:\{{\s*)?(?:\\(?:text|mathrm|rm)\s*\{{?\s*)?\\?(?P<index>\w{{1,12}})"
+)
 _LABEL = re.compile(
     rf"\s*\$?\s*(?:\\Delta\s*|Δ\s*)?(?P<name>[^\W\d_]|\\?(?:{_GREEK}))(?:[0-9{''.join(SUBSCRIPTS)}]{{1,3}}|_{_INDEX}|\^(?!\s*\{{?\s*2){_INDEX}){{0,2}}\s*(?:\([^()=]{{0,12}}\))?\s*"
     r"(?P<square>(?:\^\s*\{?\s*2\s*\}?|²)?)\s*\Z"
@@ -89,6 +91,12 @@ def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), 
 
 def _with_marked(text: Fragment, scope: Scope) -> Scope:
     """The scope with coordinates that have an index which no name of the problem has: `theta_1`, `x_max`."""
+    marked = marked_coordinates(text, scope)
+    return replace(scope, scalars={**scope.scalars, **marked}) if marked else scope
+
+
+def marked_coordinates(text: Fragment, scope: Scope) -> dict[str, sp.Symbol]:
+    """The coordinates that occur with an index, under their names with it."""
     coordinates = {q.name: q for q in scope.slots.coordinates}
     marked = {}
     for match in _MARKED.finditer(text.text):
@@ -96,7 +104,7 @@ def _with_marked(text: Fragment, scope: Scope) -> Scope:
         name = f"{symbol}_{match['index']}"
         if symbol is not None and scope.scalar(name) is None and not is_rate(name, scope):
             marked[name] = symbol
-    return replace(scope, scalars={**scope.scalars, **marked}) if marked else scope
+    return marked
 
 
 def _parts(text: Fragment) -> list[Fragment]:

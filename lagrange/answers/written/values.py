@@ -299,9 +299,14 @@ def _finished(draft: Draft, fragment: Fragment) -> Fragment:
 # Remarks on stability
 
 
+WHEN = (
+    r"(?:(?:only|if\s+and\s+only|precisely|exactly|genau\s+dann|nur)\s+)?(?:iff?|for|when(?:ever)?|where|while|provided(?:\s+that)?"
+    r"|(?:as|so)\s+long\s+as|solange|sofern|falls|wenn|für|si|pour|tant\s+que)"
+)
+"""What introduces the condition of a claim."""
 _KIND = r"(?:un|in|not\s+|non-)?(?:stab(?:le|il)|labil)(?:e[nrs]?)?|(?:marginally|neutrally)\s+stable"
 _CONDITION = (
-    r"\s+(?:only\s+)?(?:iff?|for|when|where|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|für|si|pour)\s+"
+    rf",?\s+{WHEN}\s+"
     r"[^;\n,=<>≤≥]{1,80}?(?:[<>]=?|[≤≥])[^;\n,=<>≤≥]{1,80}?"
     r"(?=\s*(?:[,;\n]|\Z|\.(?:\s|\Z)|\s(?:and|but|or|otherwise|else|while|whereas|und|aber|sonst)\s))"
 )
@@ -323,6 +328,31 @@ _OF_IT = re.compile(
     rf"\s+is\s+(?:therefore\s+|thus\s+|always\s+)?(?:an?\s+)?(?:{_KIND})(?![^\W\d_])",
     re.IGNORECASE,
 )
+
+
+_CONDITION_FIRST = re.compile(
+    rf"\A\s*(?P<when>{WHEN})\s+(?P<condition>[^=;\n<>≤≥]{{1,80}}?(?:[<>]=?|[≤≥])[^=;,\n<>≤≥]{{1,80}}?)"
+    r"(?:,\s*(?:then\s+)?|\s+(?=(?:is|ist|then|the|die)\s))(?:(?:is|ist|then|the|die)\s+)*(?:(?:position|equilibrium|Lage)\s+)?"
+    rf"(?P<place>[^=<>≤≥;,]{{1,40}}=[^=<>≤≥;,]{{1,60}}?)\s+(?P<said>(?:(?:is|ist)\s+)?(?:{_KIND}))[\s.]*\Z",
+    re.IGNORECASE,
+)
+_STABILITY_OF = re.compile(
+    r"\A\s*(?:stability|stabilität|stabilité)\s+(?:of|at|for|von|bei|de)\s+(?P<place>[^=<>≤≥;:]{1,40}=[^=<>≤≥;:]{1,60}?)\s*:"
+    r"\s*(?:if|for|when)?\s*(?P<condition>[^=;\n<>≤≥]{1,80}?(?:[<>]=?|[≤≥])[^=;,\n<>≤≥]{1,80})\Z",
+    re.IGNORECASE,
+)
+
+
+def with_claim_last(fragment: Fragment) -> Fragment:
+    """`If W l < c b^2, theta = 0 is stable` as `theta = 0 is stable if W l < c b^2`."""
+    text, draft = fragment.text, Draft(fragment)
+    if first := _CONDITION_FIRST.match(text):
+        draft.apply([(0, len(text), f"{first['place']} {first['said']} {first['when']} {first['condition']}")])
+    elif of := _STABILITY_OF.match(text):
+        draft.apply([(0, len(text), f"{of['place']} is stable for {of['condition']}")])
+    else:
+        return fragment
+    return draft.finished(latex=is_latex(fragment))
 
 
 def stability_of_it(line: str) -> str:

@@ -93,9 +93,10 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
     """The verdicts on what some lines of an answer state."""
     reference = reference_of_solution(solution)
     if any(a.answered for a in solution.asked):
-        from lagrange.answers.questions.values_in_text import asked_in_text
+        from lagrange.answers.questions.values_in_text import asked_in_text, questions_of_condition
 
-        stated = [e for f in lines if not _is_place(f) and not _is_needed(f, answer, reference) for e in _limits(f)]
+        results = [f for f in lines if not _is_place(f) or questions_of_condition(f, solution)]
+        stated = [e for f in results if not _is_needed(f, answer, reference) for e in _limits(f)]
         verdict = asked_in_text(answer, solution, among=stated).verdict
         if verdict is not None:
             yield verdict

@@ -155,6 +155,8 @@ def in_usual_signs(text: str) -> str:
         text = _CONST.sub(r"\1} ", text)
         text = _ADDED_CONST.sub(lambda m: " const".ljust(len(m[0])), text)
         text = _UPRIGHT_D.sub(lambda m: m[1].rjust(len(m[0])), text)
+        if "stab" in text and not _DISPLAY.search(text):
+            text = "\n".join(map(_with_words_outside, text.split("\n")))
         if "\\sum" in text:
             text = _LAW_BEFORE.sub(_blank, text)
             text = _LAW_IN_CHAIN.sub(_blank, text)
@@ -168,6 +170,17 @@ def in_usual_signs(text: str) -> str:
     text = _ABOUT_AS_WELL.sub(_blank, text)
     text = _NUMBER_AMONG_LETTERS.sub(lambda m: m[0] if m["word"] in _FUNCTIONS else f"{m['word']}*", text)
     return _OR_SIGN.sub(r" \\text{ or } " if "\\" in text else " or ", text)
+
+
+_DISPLAY = re.compile(r"\\\[|\\\(|\\begin|\$")
+_IN_TEXT = re.compile(r"\\(?:text|mbox|textrm)\s*\{([^{}]{0,80})\}")
+
+
+def _with_words_outside(line: str) -> str:
+    r"""`\theta = 0 \text{ is stable for } a < b` with its mathematics between `$`, as sentences have it."""
+    if not any("stab" in m[1] for m in _IN_TEXT.finditer(line)):
+        return line
+    return "$" + _IN_TEXT.sub(lambda m: f"$ {m[1]} $", line) + "$"
 
 
 def _of_dictionary(text: str) -> str:
