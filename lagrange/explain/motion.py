@@ -194,7 +194,7 @@ def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     """The boxed equations, with the constraints that complete them."""
     configuration = motion.configuration
     suffix = suffix_of(configuration.name)
-    lines = [Equation((e.expression, ZERO), label=f"motion{suffix}-{e.coordinate.name}") for e in motion.final]
+    lines = [Equation(e.sides, label=f"motion{suffix}-{e.coordinate.name}") for e in motion.final]
     lines += [_constraint(configuration, r.name, problem) for r in motion.completing]
     return [*_substituted_rates(motion), display(*lines, boxed=True, detail=Detail.BRIEF)]
 

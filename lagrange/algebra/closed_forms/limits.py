@@ -58,6 +58,9 @@ HIGHEST_RATIONAL_DEGREE = 12
 LONGEST_DENOMINATOR = 30
 # Operations of an equation that is compared with others of the same squares, as of three spheres.
 LONGEST_SPHERE = 60
+# The square of a length where a polynomial vanishes: terms of either, and variables whose orders are all tried.
+MOST_REDUCED_TERMS = 40
+MOST_REDUCED_VARIABLES = 3
 # So many equations with the same squares are subtracted: of two circles the solution in letters is long.
 SPHERES = 3
 

@@ -287,6 +287,12 @@ def tidy_quotient(entry: sp.Expr) -> sp.Expr:
     return in_lowest_terms(textbook_form(sp.cancel(formed)))
 
 
+def shorter_product(e: sp.Expr) -> sp.Expr:
+    """The textbook form, or a product as it stands where that is shorter: x (2r² − a²)/(a² r), not x (2r²/a² − 1)/r."""
+    formed = textbook_form(e)
+    return e if e.is_Mul and count_operations(e) < count_operations(formed) else formed
+
+
 def _is_reduced(formed: sp.Expr) -> bool:
     """Whether nothing can cancel that textbook form does not cancel itself: only powers of symbols are divided by."""
     return all(p.exp.is_Integer and (p.exp > 0 or p.base.is_Symbol) for p in formed.atoms(sp.Pow))

@@ -344,7 +344,7 @@ def _from_steps(
             unnamed = {r.multiplier for r in solution.law.newton.reactions if not r.named and r.given is None}
             lines = [e for e in lines if e.sides[0] not in unnamed or e.sides[1] != 0]
             lines = [e for e in lines if e.sides[0] not in unnamed] or lines
-        if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(solution.chosen, stated, lines):
+        if rule is Rule.EQUATIONS_OF_MOTION and stated and is_better(solution.chosen, stated, lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
 
@@ -359,7 +359,7 @@ def _is_sum(e: Equation) -> bool:
     return (e.label or "").startswith(LABEL)
 
 
-def _is_better(view: InCoordinates, stated: StatedEquations, lines: Sequence[Equation]) -> bool:
+def is_better(view: InCoordinates, stated: StatedEquations, lines: Sequence[Equation]) -> bool:
     """Whether the form of the answers is shorter; or as short, and the same with a term on the right: m x'' = F.
 
     Or whether it is solved for the accelerations, and so needs no exception.

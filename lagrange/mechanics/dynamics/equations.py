@@ -64,12 +64,19 @@ class EquationOfMotion:
 
     factor    the factor that has been divided out: its numerator divided by, its denominator multiplied by
     reversed  whether the sign has been changed as well
+    written   its sides, where it is not written as expression = 0
     """
 
     coordinate: sp.Symbol
     expression: sp.Expr
     factor: CommonFactor
     reversed: bool
+    written: tuple[sp.Expr, ...] = ()
+
+    @property
+    def sides(self) -> tuple[sp.Expr, ...]:
+        """As it is displayed."""
+        return self.written or (self.expression, sp.S.Zero)
 
 
 @record

@@ -28,7 +28,7 @@ from functools import cache
 
 import sympy as sp
 
-from lagrange.algebra.fourier.linear_systems import tidy_quotient
+from lagrange.algebra.fourier.linear_systems import shorter_product, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import differential, partial, t, variation
@@ -268,7 +268,7 @@ class Newton:
         per_tension = {r.multiplier: r.symbol * r.per_force for r in with_symbol.values() if r.symbol is not None}
 
         def rewritten(c: LawComponent) -> LawComponent:
-            terms = (textbook_form(e.xreplace(per_tension)) for e in sp.Add.make_args(c.reaction))
+            terms = (shorter_product(e.xreplace(per_tension)) for e in sp.Add.make_args(c.reaction))
             return replace(c, reaction=sp.Add(*terms))
 
         def acting(pairs: tuple[tuple[Reaction, Vector], ...]) -> tuple[tuple[Reaction, Vector], ...]:
@@ -505,7 +505,7 @@ def _components(
             unit,
             factor * textbook_form(rate.dot(unit)) if factor != 0 else factor,
             textbook_form(applied.dot(unit)),
-            sp.Add(*(r.force * textbook_form(g.dot(unit)) for r, g in acting)),
+            sp.Add(*(r.force * shorter_product(g.dot(unit)) for r, g in acting)),
         )
         for unit in freedom.units
     )
@@ -544,7 +544,7 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
         if direction is not None:
             partials = zip(slots.coordinates, p.partials, strict=True)
             shares[p.name] = sp.Add(
-                *(textbook_form(direction.dot(along)) * variation(q) for q, along in partials if not along.is_zero)
+                *(shorter_product(direction.dot(along)) * variation(q) for q, along in partials if not along.is_zero)
             )
             drift = drift + direction.dot(p.position.frozen_derivative(slots))
     for r in configuration.rotations:

@@ -39,8 +39,9 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.on_a_curve import where_zero
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
-from lagrange.algebra.fourier.linear_systems import tidy_quotient
+from lagrange.algebra.fourier.linear_systems import shorter_product, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
@@ -166,7 +167,7 @@ def _along_unit_vector(
     size = side * plain
     sizes = (a for a in sorted(root.atoms(sp.Abs), key=str) if not plain.has(a))
     presumed = tuple(written.get(a.args[0], a.args[0]) for a in sizes)
-    unit = direction.map(lambda c: textbook_form(c / size))
+    unit = direction.map(lambda c: shorter_product(textbook_form(c) / size))
     return SingleForce(ForceKind.ALONG, size, ends[0], unit, ends[1], presumed)
 
 
@@ -257,16 +258,9 @@ def _has_a_sign(e: sp.Expr) -> bool:
 
 
 def where_it_holds(square: sp.Expr, row: Row, configuration: Configuration) -> sp.Expr:
-    """|g|² on the constraint, if that contains no coordinates: 4R² for x² + y² = R² in space."""
-    coordinates = configuration.slots.coordinates
+    """|g|² on the constraint, where that is shorter: 4R² for x² + y² = R²."""
     finite = (row.finite or sp.S.Zero).xreplace(configuration.substitution)
-    if not (finite.is_polynomial(*coordinates) and square.is_polynomial(*coordinates)):
-        return square
-    relation, squared = sp.Poly(finite, *coordinates), sp.Poly(square, *coordinates)
-    if relation.is_ground or squared.is_ground:
-        return square
-    remainder = squared - relation * (squared.coeff_monomial(relation.monoms()[0]) / relation.LC())
-    return sp.factor(remainder.as_expr()) if remainder.is_ground else square
+    return where_zero(square, finite, configuration.slots.coordinates)
 
 
 # -- tensions ----------------------------------------------------------------------------------------------------------

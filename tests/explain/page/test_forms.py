@@ -1,0 +1,37 @@
+"""The box of the derivation has the form that the head of the page has."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.document.derivation import Detail
+from lagrange.render import terminal
+from tests.support.shared import reported
+
+
+def printed(name: str, detail: Detail = Detail.STEPS) -> list[str]:
+    r = reported(name)
+    return terminal.text(r.derivation, r.notation, 200, detail).splitlines()
+
+
+@pytest.mark.parametrize(
+    ("name", "equation", "why"),
+    [
+        ("ex11-ideal-pendulum", "θ̈ + (g/l) sin θ = 0", "must vanish (dividing by m l²):"),
+        (
+            "bead-on-lemniscate",
+            "a (1 + sin²s) s̈ − a ṡ² sin s cos s + g (1 − 3 sin²s) = 0",
+            "must vanish (multiplying by (1 + sin²s)² and dividing by m a):",
+        ),
+        ("relativistic-oscillator", "m ẍ/(1 − ẋ²/c²)^(3/2) = −k x", "Lagrange's equation (2) is therefore"),
+    ],
+)
+def test_one_form(name: str, equation: str, why: str) -> None:
+    lines = printed(name)
+    assert sum(equation in line for line in lines) == 2  # at the head, and with its number
+    assert why in " ".join(" ".join(lines).split())
+    assert not any("In short" in line for line in lines)
+
+
+def test_the_full_derivation_stays_as_it_was() -> None:
+    assert any("│  l θ̈ + g sin θ = 0 " in line for line in printed("ex11-ideal-pendulum", Detail.FULL))
