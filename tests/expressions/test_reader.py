@@ -3,8 +3,6 @@
 Every expected value is built by hand from plain symbols. A refusal has a code and a column, and says what to do.
 
 Inequalities: their limit, and the side that they permit.
-
-Formulas that stand unmarked in a sentence: where they begin and end.
 """
 
 from __future__ import annotations
@@ -14,7 +12,7 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import t
-from lagrange.expressions.reader import formulas_in, is_inequality, limit_of, read_equation, read_scalar
+from lagrange.expressions.reader import is_inequality, limit_of, read_equation, read_scalar
 from tests.support.expression_texts import (
     EQUATIONS,
     R,
@@ -311,30 +309,3 @@ def test_sides(text: str, limit: str, side: int | None) -> None:
     found, permitted = limit_of(Fragment.of(text), "constraint")
     assert (" ".join(found.text.split()), permitted) == (limit, side)
     assert is_inequality(Fragment.of(text)) is (side is not None)
-
-
-# Formulas in text
-
-
-NAMES_FORMULAS_IN_TEXT = {"a", "c", "m", "p", "x", "y", "z", "theta", "I"}
-
-
-@pytest.mark.parametrize(
-    ("text", "formulas"),
-    [
-        ("the bowl z = c (x^2 + y^2) is smooth", ["z = c (x^2 + y^2)"]),
-        ("a wire (y = x^2/(2 p)), smooth", ["y = x^2/(2 p)"]),
-        ("along x = y = z.", ["x = y = z"]),
-        ("where y = x (m is known)", ["y = x"]),
-        ("f(x) = x^2", ["x^2"]),
-        ("of a x^2, the x-axis, m's, a x-y plane", ["x^2"]),
-        ("the force c*sin(theta) and -c*x", ["c*sin(theta)", "-c*x"]),
-        ("m = 3 kg fall with 9.81 m/s^2 for 2 s", ["m = 3 kg", "9.81 m/s^2"]),
-        ("y = 3 m", ["y = 3 m"]),  # m is a mass here
-        ("x^2 + q y = 3, v = c x", ["x^2"]),  # q and v are not declared: a part would say something else
-        ("((x, m or c, x -, = y", []),
-        ("", []),
-    ],
-)
-def test_where_formulas_are(text: str, formulas: list[str]) -> None:
-    assert [text[start:end] for start, end in formulas_in(text, NAMES_FORMULAS_IN_TEXT)] == formulas

@@ -20,7 +20,8 @@ from lagrange.core.units import split_number, unit_of
 from lagrange.core.vectors import UNITS
 from lagrange.document.derivation import Math, Part, math
 from lagrange.explain.limits import MOST_FORMULAS
-from lagrange.expressions.reader import Scope, formulas_in, read_equation, read_value
+from lagrange.expressions.formulas_in_text import formulas_in
+from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.problem.model import Problem
 from lagrange.problem.values import known_dimensions
 
