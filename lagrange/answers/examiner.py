@@ -184,14 +184,17 @@ class Examiner:
         )
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
-            from lagrange.answers.friction.impending import one_a_line
+            from lagrange.answers.friction.impending import by_directions, one_a_line
 
             shown = working.judged
             verdict = compared_impending(solution, alternatives_of(shown))
-            lines = one_a_line(shown, solution)
-            if verdict.verdict is Verdict.WRONG and len(lines) > 1:
-                each = compared_impending(solution, lines)  # up or down, a line each
-                verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
+            for sorted_ in (one_a_line, by_directions):  # up or down, a line each
+                unsettled = verdict.verdict in (Verdict.WRONG, Verdict.INCOMPLETE)
+                if not unsettled or len(lines := sorted_(shown, solution)) < 2:
+                    continue
+                each = compared_impending(solution, lines)
+                better = (Verdict.EQUIVALENT, Verdict.INCOMPLETE) if verdict.verdict is Verdict.WRONG else _RIGHT
+                verdict = each if each.verdict in better else verdict
             if verdict.verdict is Verdict.WRONG and verdict.diagnosis:
                 return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,))
             return self._judgement(verdict, statics=True)
@@ -439,6 +442,9 @@ _WORD = re.compile(r"[^\W\d]\w*")
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 _UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED, "it has solutions that are not equilibria")
 """Diagnoses of equilibria that say only that they are wrong."""
+
+
+_RIGHT = (Verdict.EQUIVALENT,)
 
 
 def _letters(text: str) -> set[str]:
