@@ -150,6 +150,7 @@ class Examiner:
 
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
+        from lagrange.answers.friction.forces_of_working import in_two
         from lagrange.answers.questions.at_release import is_about_release
         from lagrange.answers.questions.equilibrium_in_text import with_stated_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
@@ -158,7 +159,7 @@ class Examiner:
 
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
-            stated = [condition_alone(c) for f in answer for c in conditions_of(condition_alone(f))]
+            stated = [p for f in answer for c in conditions_of(condition_alone(f)) for p in in_two(condition_alone(c))]
             known = self._statics_reference.scope.names()
             return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
         if solution is not None and self.asks_for_conditions and asks_for_rest_alone(solution):
@@ -237,6 +238,8 @@ class Examiner:
             equations = tuple(f for f in equations if not _is_definition(f, defined))
             answer = [*inequalities, *equations]
         rest = compared_rest(solution, answer if alone else inequalities, defined)
+        if alone and rest.verdict is Verdict.UNDECIDED and equations:
+            rest = self._beside_balances(inequalities, equations, defined, solution) or rest
         rest = replace(rest, notes=(*rest.notes, *(working.notes if working else ())))
         if alone or not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))
@@ -244,6 +247,36 @@ class Examiner:
         if rest.verdict is Verdict.EQUIVALENT and judged.verdict is Verdict.INCOMPLETE and solution.own.motion is None:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))  # a reaction, from which they follow
         return replace(judged, others=(rest, *judged.others))
+
+    def _beside_balances(
+        self,
+        inequalities: Sequence[Fragment],
+        equations: Sequence[Fragment],
+        defined: Mapping[str, sp.Expr],
+        solution: Solution,
+    ) -> AnswerVerdict | None:
+        """The verdict on conditions of rest beside balances of reactions, and equations at a limit: `it tips at P h = W b`.
+
+        None if it is not settled.
+        """
+        from lagrange.answers.friction.forces_of_working import in_both_senses, without_forces
+
+        newton = solution.law.newton if solution.law else None
+        named = {s for r in (newton.reactions if newton else ()) for s in (r.given, r.multiplier, r.symbol) if s}
+        working = without_forces(inequalities, equations, self._statics_reference, {s.name: s for s in named})
+        notes: tuple[Diagnostic, ...] = ()
+        if working is not None:
+            inequalities, equations, notes = working.conditions, working.equations, working.notes
+            defined = {**defined, **working.forces}
+        settled = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
+        limits = [
+            f
+            for f in equations
+            if any(compared_rest(solution, [c], defined).verdict in settled for c in in_both_senses(f))
+        ]
+        stated = [*inequalities, *(f for f in equations if f not in limits)]
+        verdict = compared_rest(solution, stated, defined)
+        return None if verdict.verdict is Verdict.UNDECIDED else replace(verdict, notes=(*verdict.notes, *notes))
 
     def _defined_beside(self, equations: Sequence[Fragment]) -> Mapping[str, sp.Expr]:
         """The names that equations beside conditions of rest define."""

@@ -323,7 +323,9 @@ def check_stability_sentences(
 _ALL = re.compile(r"\b(?:both|all|each|every|beide|alle|jede[rs]?|toutes|tous|les\s+deux)\b", re.IGNORECASE)
 _ORDINALS = (r"first|former|erste|premi[eè]re?", r"second|zweite|deuxi[eè]me|seconde", r"third|dritte|troisi[eè]me")
 _LAST = re.compile(r"\b(?:latter|last|letzte|derni[eè]re?)\b", re.IGNORECASE)
-_SENTENCE = re.compile(rf"[;\n]|\.(?:\s|\Z)|,\s+(?=(?:and\s+)?(?:the|die|la)\s+(?:{'|'.join(_ORDINALS)}|other|latter))", re.I)
+_SENTENCE = re.compile(
+    rf"[;\n]|\.(?:\s|\Z)|,\s+(?=(?:and\s+)?(?:the|die|la)\s+(?:{'|'.join(_ORDINALS)}|other|latter))", re.I
+)
 
 
 def with_sentences_on_stability(answer: Sequence[Fragment], judged: Judgement, solution: Solution) -> Judgement:
