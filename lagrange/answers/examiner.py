@@ -226,6 +226,7 @@ class Examiner:
             if len(answer) == len(equations):
                 return self._checked(equations)
         from lagrange.answers.friction.forces_of_working import without_forces
+        from lagrange.answers.friction.stated_limits import chains_that_differ
 
         alone = asks_for_rest_alone(solution)
         inequalities = tuple(f for f in answer if is_inequality(f))
@@ -237,7 +238,8 @@ class Examiner:
         if defined:  # with the angle of friction, tan(rho) = mu
             equations = tuple(f for f in equations if not _is_definition(f, defined))
             answer = [*inequalities, *equations]
-        rest = compared_rest(solution, answer if alone else inequalities, defined)
+        differing = chains_that_differ(inequalities, self._statics_reference)
+        rest = differing or compared_rest(solution, answer if alone else inequalities, defined)
         if alone and rest.verdict is Verdict.UNDECIDED and equations:
             rest = self._beside_balances(inequalities, equations, defined, solution) or rest
         rest = replace(rest, notes=(*rest.notes, *(working.notes if working else ())))
@@ -255,7 +257,7 @@ class Examiner:
         defined: Mapping[str, sp.Expr],
         solution: Solution,
     ) -> AnswerVerdict | None:
-        """The verdict on conditions of rest beside balances of reactions, and equations at a limit: `it tips at P h = W b`.
+        """The verdict on conditions of rest beside balances of reactions, and equations at a limit, P h = W b.
 
         None if it is not settled.
         """
