@@ -22,7 +22,7 @@ from lagrange.answers.written.expansions import contradiction_in_expansion
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, Severity
 from lagrange.core.records import record
-from lagrange.core.symbols import CONSTANT, Slots, base, prime, t
+from lagrange.core.symbols import base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.comparison import Standing, compare
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
@@ -172,7 +172,7 @@ def _without_asides(
         notes = [_note(equations[n], "is about a steady motion, and is not judged") for n in steady]
         result = _without_asides(kept, check(kept, False), stated, check)
         return result[0], result[1], [*notes, *result[2]]
-    if integrals := _integrals_alone(equations, verdict, check, reference.scope.slots):
+    if integrals := _integrals_alone(equations, verdict, check):
         return integrals
     if len(wrong) == len(equations):
         return unchanged
@@ -216,7 +216,10 @@ _STEADY = re.compile(r"\bsteady\b|\bcircular motion|\bgleichförmig|\bstationär
 
 def _says_steady(equation: Fragment, reference: Reference) -> bool:
     r"""Whether an equation is about a steady motion: `A steady circle has \ddot r = 0, hence \dot\varphi^2 = ...`."""
-    if not isinstance(equation, GivenEquation) or not _STEADY.search(equation.beside):
+    if not isinstance(equation, GivenEquation):
+        return False
+    source, start = equation.whole.source.text, equation.span(0, 0).start
+    if not _STEADY.search(f"{equation.beside} {source[source.rfind(chr(10), 0, start) + 1 : start]}"):
         return False
     vanishes = all(e.is_Symbol and base(e) != e for e in equation.reading.components)
     return vanishes or not is_of_motion(equation, reference)
@@ -227,7 +230,7 @@ def _is_integral(verdict: AnswerVerdict, n: int) -> bool:
 
 
 def _integrals_alone(
-    equations: Sequence[Fragment], verdict: AnswerVerdict, check: AnswerCheck, slots: Slots
+    equations: Sequence[Fragment], verdict: AnswerVerdict, check: AnswerCheck
 ) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] | None:
     """An answer in which first integrals, `... = const`, stand for equations of motion, of which some are missing.
 
@@ -242,27 +245,8 @@ def _integrals_alone(
         return None
     if again.verdict is not Verdict.EQUIVALENT:
         again = replace(again, verdict=Verdict.INCOMPLETE, equations=again.equations if kept else ())
-    rates = {n: rate for n in wrong if (rate := _rate_of_momentum(equations[n], slots)) is not None}
-    if again.verdict is not Verdict.EQUIVALENT and len(rates) == len(wrong):  # p = const is dp/dt = 0
-        with_rates = [rates.get(n, e) for n, e in enumerate(equations)]
-        complete = check(with_rates, False)
-        if complete.verdict is Verdict.EQUIVALENT:
-            return with_rates, complete, [_note(equations[n], "is read as dp/dt = 0") for n in wrong]
     why = [verdict.equations[n].diagnosis for n in wrong]
     return kept, again, [_note(equations[n], f"is not judged: {d}") for n, d in zip(wrong, why, strict=True)]
-
-
-def _rate_of_momentum(equation: Fragment, slots: Slots) -> GivenEquation | None:
-    """`p = const` as dp/dt = 0, for a momentum, which is linear in the velocities; None for another integral."""
-    if not isinstance(equation, GivenEquation) or len(equation.reading.components) != 1:
-        return None
-    [e] = equation.reading.components
-    velocities = {*slots.velocities}
-    if any(not velocities.isdisjoint(sp.diff(e, v).free_symbols) for v in velocities & e.free_symbols):
-        return None
-    rate = slots.time_derivative(e.xreplace({CONSTANT: sp.S.Zero}))
-    reading = replace(equation.reading, components=(rate,), sides=(rate, sp.S.Zero), other=None, source=None)
-    return GivenEquation.of_reading_at(reading, equation)
 
 
 def _has_free_constant(equation: Fragment) -> bool:
