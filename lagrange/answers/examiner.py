@@ -150,6 +150,7 @@ class Examiner:
 
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
+        from lagrange.answers.friction.forces_of_working import in_two
         from lagrange.answers.questions.at_release import is_about_release
         from lagrange.answers.questions.equilibrium_in_text import with_stated_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
@@ -158,7 +159,7 @@ class Examiner:
 
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
-            stated = [condition_alone(c) for f in answer for c in conditions_of(condition_alone(f))]
+            stated = [p for f in answer for c in conditions_of(condition_alone(f)) for p in in_two(condition_alone(c))]
             known = self._statics_reference.scope.names()
             return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
         if solution is not None and self.asks_for_conditions and asks_for_rest_alone(solution):
@@ -184,14 +185,17 @@ class Examiner:
         )
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
-            from lagrange.answers.friction.impending import one_a_line
+            from lagrange.answers.friction.impending import by_directions, one_a_line
 
             shown = working.judged
             verdict = compared_impending(solution, alternatives_of(shown))
-            lines = one_a_line(shown, solution)
-            if verdict.verdict is Verdict.WRONG and len(lines) > 1:
-                each = compared_impending(solution, lines)  # up or down, a line each
-                verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
+            for sorted_ in (one_a_line, by_directions):  # up or down, a line each
+                unsettled = verdict.verdict in (Verdict.WRONG, Verdict.INCOMPLETE)
+                if not unsettled or len(lines := sorted_(shown, solution)) < 2:
+                    continue
+                each = compared_impending(solution, lines)
+                better = (Verdict.EQUIVALENT, Verdict.INCOMPLETE) if verdict.verdict is Verdict.WRONG else _RIGHT
+                verdict = each if each.verdict in better else verdict
             if verdict.verdict is Verdict.WRONG and verdict.diagnosis:
                 return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,))
             return self._judgement(verdict, statics=True)
@@ -222,6 +226,7 @@ class Examiner:
             if len(answer) == len(equations):
                 return self._checked(equations)
         from lagrange.answers.friction.forces_of_working import without_forces
+        from lagrange.answers.friction.stated_limits import chains_that_differ
 
         alone = asks_for_rest_alone(solution)
         inequalities = tuple(f for f in answer if is_inequality(f))
@@ -233,7 +238,10 @@ class Examiner:
         if defined:  # with the angle of friction, tan(rho) = mu
             equations = tuple(f for f in equations if not _is_definition(f, defined))
             answer = [*inequalities, *equations]
-        rest = compared_rest(solution, answer if alone else inequalities, defined)
+        differing = chains_that_differ(inequalities, self._statics_reference)
+        rest = differing or compared_rest(solution, answer if alone else inequalities, defined)
+        if alone and rest.verdict is Verdict.UNDECIDED and equations:
+            rest = self._beside_balances(inequalities, equations, defined, solution) or rest
         rest = replace(rest, notes=(*rest.notes, *(working.notes if working else ())))
         if alone or not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))
@@ -241,6 +249,36 @@ class Examiner:
         if rest.verdict is Verdict.EQUIVALENT and judged.verdict is Verdict.INCOMPLETE and solution.own.motion is None:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))  # a reaction, from which they follow
         return replace(judged, others=(rest, *judged.others))
+
+    def _beside_balances(
+        self,
+        inequalities: Sequence[Fragment],
+        equations: Sequence[Fragment],
+        defined: Mapping[str, sp.Expr],
+        solution: Solution,
+    ) -> AnswerVerdict | None:
+        """The verdict on conditions of rest beside balances of reactions, and equations at a limit, P h = W b.
+
+        None if it is not settled.
+        """
+        from lagrange.answers.friction.forces_of_working import in_both_senses, without_forces
+
+        newton = solution.law.newton if solution.law else None
+        named = {s for r in (newton.reactions if newton else ()) for s in (r.given, r.multiplier, r.symbol) if s}
+        working = without_forces(inequalities, equations, self._statics_reference, {s.name: s for s in named})
+        notes: tuple[Diagnostic, ...] = ()
+        if working is not None:
+            inequalities, equations, notes = working.conditions, working.equations, working.notes
+            defined = {**defined, **working.forces}
+        settled = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
+        limits = [
+            f
+            for f in equations
+            if any(compared_rest(solution, [c], defined).verdict in settled for c in in_both_senses(f))
+        ]
+        stated = [*inequalities, *(f for f in equations if f not in limits)]
+        verdict = compared_rest(solution, stated, defined)
+        return None if verdict.verdict is Verdict.UNDECIDED else replace(verdict, notes=(*verdict.notes, *notes))
 
     def _defined_beside(self, equations: Sequence[Fragment]) -> Mapping[str, sp.Expr]:
         """The names that equations beside conditions of rest define."""
@@ -439,6 +477,9 @@ _WORD = re.compile(r"[^\W\d]\w*")
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 _UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED, "it has solutions that are not equilibria")
 """Diagnoses of equilibria that say only that they are wrong."""
+
+
+_RIGHT = (Verdict.EQUIVALENT,)
 
 
 def _letters(text: str) -> set[str]:

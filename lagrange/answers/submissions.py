@@ -171,10 +171,13 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
             number += 1
             kept = fragment.text[begins:stop].strip(" .,;\r")
             kept = kept.strip(" $.,;") if kept.count("$") <= 2 and kept[:1] == kept[-1:] == "$" else kept
+            if display := _DISPLAY.fullmatch(kept):
+                kept = display[1]
             begins += fragment.text[begins:stop].find(kept)
             yield _part(fragment, begins, begins + len(kept))
 
 
+_DISPLAY = re.compile(r"\\[\[(]\s*(.*?)[\s.,;]*\\[\])]")
 _BETWEEN_STATEMENTS = re.compile(r";|==?>|⇒|⟹|→|->|(?<=[\w)$}])\.\s+(?=[A-Z][a-z]*\s)")
 
 

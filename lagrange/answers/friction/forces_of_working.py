@@ -10,7 +10,8 @@ equations are stated, is working beside the others.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -20,6 +21,8 @@ from lagrange.answers.references import Reference
 from lagrange.answers.written.reading import is_name, read_as_written, undeclared
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import limit_of
 
 
@@ -40,15 +43,27 @@ class WithoutForces:
 
 
 def without_forces(
-    conditions: Sequence[Fragment], equations: Sequence[Fragment], reference: Reference
+    conditions: Sequence[Fragment],
+    equations: Sequence[Fragment],
+    reference: Reference,
+    reactions: Mapping[str, sp.Symbol] | None = None,
 ) -> WithoutForces | None:
-    """The answer without the forces of its working; None if it has none, or nothing else."""
-    strange = {id(f): {*undeclared(read_as_written(_as_equation(f), reference.scope), f.text)} for f in conditions}
-    strange |= {id(f): {*undeclared(read_as_written(f, reference.scope), f.text)} for f in equations}
+    """The answer without the forces of its working; None if it has none, or nothing else.
+
+    reactions  those of the problem that are eliminated, too, under their names
+    """
+    declared = reactions or {}
+
+    def forces_in(f: Fragment, equation: Fragment) -> set[str]:
+        reading = read_as_written(equation, reference.scope)
+        used = {s for e in reading.components for s in e.free_symbols}
+        return {*undeclared(reading, f.text)} | {n for n, s in declared.items() if s in used}
+
+    strange = {id(f): forces_in(f, _as_equation(f)) for f in conditions} | {id(f): forces_in(f, f) for f in equations}
     names = sorted(n for n in set().union(*strange.values()) if is_name(n))
     if not names or len(names) > MOST_WORKING_FORCES:
         return None
-    symbols = {n: sp.Symbol(n, real=True) for n in names}
+    symbols = {n: declared.get(n, sp.Symbol(n, real=True)) for n in names}
     scope = replace(reference.scope, scalars={**reference.scope.scalars, **symbols})
     balances = [f for f in equations if strange[id(f)]]
     readings = [read_as_written(f, scope) for f in balances]
@@ -65,6 +80,33 @@ def without_forces(
         for f in left_out
     )
     return WithoutForces(tuple(kept), forces, tuple(f for f in equations if not strange[id(f)]), tuple(notes))
+
+
+_SIGN = r"(?:<=|>=|[<>≤≥]|\\(?:leq?|geq?|lt|gt|leqslant|geqslant)(?![A-Za-z]))"
+_CHAIN = re.compile(
+    rf"\A(?P<first>[^=<>≤≥]+?)\s*&?=\s*(?P<value>(?:(?!{_SIGN})[^=])+?)\s*(?P<rest>{_SIGN}.*)\Z", re.DOTALL
+)
+
+
+def in_two(condition: Fragment) -> list[Fragment]:
+    """`F = P <= mu W` as F = P and P <= mu W; any other condition as it is."""
+    match = _CHAIN.match(condition.text)
+    if match is None or re.search(_SIGN, match["first"]):
+        return [condition]
+    equation, limit = Draft(condition), Draft(condition)
+    equation.keep(0, match.end("value"))
+    limit.keep(match.start("value"), len(condition.text))
+    latex = is_latex(condition)
+    return [equation.finished(latex=latex), limit.finished(latex=latex)]
+
+
+def in_both_senses(equation: Fragment) -> Iterator[Fragment]:
+    """`P h = W b` as P h <= W b, and as P h >= W b."""
+    sign = re.search(r"(?<![<>!=:])=(?![=>])", equation.text)
+    for relation in (" <= ", " >= ") if sign else ():
+        draft = Draft(equation)
+        draft.apply([(*sign.span(), relation)])  # type: ignore[union-attr]
+        yield draft.finished(latex=is_latex(equation))
 
 
 def _as_equation(condition: Fragment) -> Fragment:

@@ -191,6 +191,29 @@ def one_a_line(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fra
     return [(*about, f) for f in judged if all(f is not other for other in about)]
 
 
+def by_directions(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fragment, ...]]:
+    """Balances and limits sorted by the direction of slip for which they hold; empty if one holds for none.
+
+    About to slide up, P cos α - W sin α - μ N = 0, and about to slide down, P cos α - W sin α + μ N = 0.
+    """
+    newton = solution.law.newton if solution.law is not None else None
+    reference = reference_of_solution(solution)
+    made: list[tuple[Fragment, ...]] = []
+    for m in next((v.impending for v in solution.views if v.impending), ()):
+        names = names_of_forces(m, newton)
+        about, positions = [], []
+        alone = [forces_put_in((f,), m, newton, reference) for f in judged]
+        given = [f for f, p in zip(judged, alone, strict=True) if p.holds and not (p.positions or p.balance)]
+        for f in judged:  # with N = ..., by which the sense of N is known
+            put_in = forces_put_in((*given, *([f] if f not in given else [])), m, newton, reference)
+            if _judged(put_in, _positions(put_in, m, reference), m, reference).verdict in _RIGHT:
+                is_force = any(e.free_symbols & names for e in read_answer(f, reference.scope).components)
+                (about if is_force else positions).append(f)
+        made += [(*about, f) for f in positions] or [tuple(about)]
+    used = {id(f) for a in made for f in a}
+    return [a for a in made if a] if all(id(f) in used for f in judged) else []
+
+
 def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion, reference: Reference) -> list[Fragment]:
     """T = m g for an unknown force that an answer does not mention: it may state the limit alone."""
     if any(read_answer(f, reference.scope).error is not None for f in alternative):

@@ -150,7 +150,7 @@ def _explained(
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=|≈|\\approx(?![A-Za-z])")
 _EQUAL = re.compile(r"=|≈|\\approx")
 _AND = re.compile(
-    r",|;|\b(?:and|und)\b|(?<=\s)et(?=\s)|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*(?:and|und|et)\s*\}|\\q?quad(?![A-Za-z])"
+    r"(?<!\\)[,;]|\b(?:and|und)\b|(?<=\s)et(?=\s)|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*(?:and|und|et)\s*\}|\\q?quad(?![A-Za-z])"
 )
 _EXTREME = re.compile(r"\s*\\?(?P<which>min|max|Min|Max)\s*(?:\\left\s*)?(?P<open>[({\[]|\\\{)")
 

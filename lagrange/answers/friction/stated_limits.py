@@ -10,14 +10,20 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.friction.rest_conditions import check_rest_answers, pieces
 from lagrange.answers.limits import MOST_LIMITS
+from lagrange.answers.questions.named_values import NOT_EQUAL, sides_agree
 from lagrange.answers.references import Reference
-from lagrange.answers.verdicts import AnswerVerdict, Verdict
-from lagrange.core.diagnostics import Fragment
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.reading import tried
+from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
+from lagrange.expressions.reader import read_value
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 from lagrange.mechanics.results import Solution
@@ -28,8 +34,10 @@ def check_limits(
 ) -> AnswerVerdict:
     """The verdict on limits that are stated by equations: Q_max = ..., Q_min = ..., mu = ... = 0.311.
 
-    A limit without an index is meant as an upper or a lower one, whichever is right.
+    A limit without an index is meant as an upper or a lower one, whichever is right. All sides of a chain must agree.
     """
+    if differing := chains_that_differ(stated, reference):
+        return differing
     verdicts = [
         check_rest_answers(conditions, rests, reference, solution) for conditions in _as_conditions(stated, reference)
     ]
@@ -37,6 +45,20 @@ def check_limits(
         return check_rest_answers(stated, rests, reference, solution)
     order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG, Verdict.UNREADABLE)
     return min(verdicts, key=lambda v: order.index(v.verdict))
+
+
+def chains_that_differ(stated: Sequence[Fragment], reference: Reference) -> AnswerVerdict | None:
+    """The verdict where values in a chain are not equal, `mu = ln(50)/(4 pi) = 0.135`; None if all of them are."""
+    parts = []
+    for f in stated:
+        draft = Draft(f)
+        signs = [*_INEQUALITY.finditer(f.text)]
+        if len(signs) > 1 or (signs and scope_name(f.text[: signs[0].start()].strip(" $"), reference) is None):
+            continue
+        draft.replace(_INEQUALITY, "=")
+        if sides_agree(draft.finished(latex=is_latex(f)), reference) is False:
+            parts.append(EquationVerdict.of(" ".join(f.text.split()), Verdict.WRONG, NOT_EQUAL))
+    return AnswerVerdict(Verdict.WRONG, tuple(parts), name="rest", diagnosis=NOT_EQUAL) if parts else None
 
 
 def are_reversed(
@@ -56,33 +78,47 @@ def _as_conditions(
     stated: Sequence[Fragment], reference: Reference, senses: Mapping[str, str] | None = None
 ) -> Iterator[list[Fragment]]:
     """Inequalities for equations between a name and its limits, in both senses where no index tells the sense."""
-    limits: list[tuple[Fragment, str, Fragment]] = []
+    limits: list[tuple[Fragment, str, str, str]] = []  # with both sides, and the sense if it is known
     for f in stated:
         sides = pieces(f, _EQUALS)
         if not 2 <= len(sides) <= 5:  # none at all in `=`
             return
+        if sides_agree(f, reference):  # mu = ln(50)/(4 pi) = 3.912/12.566 = 0.311
+            sides = sides[:2]
         match = _EXTREMUM.fullmatch(sides[0].text.strip(" $"))
-        if match is None:
+        name = scope_name(match["name"], reference) if match is not None else None
+        if match is not None and name is None:
             return
-        name = scope_name(match["name"], reference)
-        if name is None:
-            return
+        if name is not None and _is_value(name, sides[1:], reference):
+            continue
         if any(u.name == name for u in reference.unknowns):  # working: T = P e^(mu beta)
             continue
-        for side in sides[1:]:
-            sense = (senses or _SENSES)[match["which"][:3]] if match["which"] else "{}"
-            limits.append((f, f"{name} {sense} ", side))
-    free = [*dict.fromkeys(id(f) for f, start, _ in limits if "{}" in start)]
+        which = match["which"] if match is not None else ""
+        sense = (senses or _SENSES)[which[:3]] if which else ""
+        limits += [(f, name or sides[0].text, side.text, sense) for side in sides[1:]]
+    free = [*dict.fromkeys(id(f) for f, _, _, sense in limits if not sense)]
     if len(free) > MOST_LIMITS:
         return
     for chosen in product(("<=", ">="), repeat=len(free)) if limits else ():  # each may be of another kind
         sense_of = dict(zip(free, chosen, strict=True))
         made = []
-        for f, start, side in limits:
+        for f, left, right, sense in limits:
             draft = Draft(f)
-            draft.apply([(0, len(f.text), f"{start.format(sense_of.get(id(f), ''))}{side.text}")])
+            draft.apply([(0, len(f.text), f"{left} {sense or sense_of[id(f)]} {right}")])
             made.append(draft.finished(latex=is_latex(f)))
         yield made
+
+
+def _is_value(name: str, sides: Sequence[Fragment], reference: Reference) -> bool:
+    """Whether a line only restates the value of a parameter: `beta = 4 pi`."""
+    known = reference.values.get(reference.parameters.get(name, sp.nan))
+    if known is None or len(sides) != 1:
+        return False
+    try:
+        value = tried(sides[0], reference.scope, lambda f: read_value(f, reference.scope, [], latex=True))
+    except ProblemError:
+        return False
+    return isinstance(value, sp.Expr) and is_zero(value - known) is True
 
 
 def scope_name(written: str, reference: Reference) -> str | None:
@@ -92,6 +128,7 @@ def scope_name(written: str, reference: Reference) -> str | None:
 
 
 _EQUALS = re.compile(r"(?<![<>!=:])=(?![=>])|\\approx(?![A-Za-z])|≈")
+_INEQUALITY = re.compile(r"[<>]=?|[≤≥]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])")
 _SENSES = {"min": ">=", "max": "<="}
 _OPPOSITE = {"min": "<=", "max": ">="}
 _EXTREMUM = re.compile(

@@ -166,6 +166,12 @@ def _without_asides(
     wrong, working, reference = _wrong(verdict), stated.working, stated.reference
     if not wrong or len(verdict.equations) != len(equations):
         return unchanged
+    steady = [n for n in wrong if _says_steady(equations[n], reference)]
+    if steady and len(steady) < len(equations):
+        kept = [e for n, e in enumerate(equations) if n not in steady]
+        notes = [_note(equations[n], "is about a steady motion, and is not judged") for n in steady]
+        result = _without_asides(kept, check(kept, False), stated, check)
+        return result[0], result[1], [*notes, *result[2]]
     if integrals := _integrals_alone(equations, verdict, check):
         return integrals
     if len(wrong) == len(equations):
@@ -193,7 +199,7 @@ def _without_asides(
     if not any(_has_acceleration(e) for e in kept):
         return unchanged
     again = check(kept, False)
-    special = all(_is_integral(verdict, n) or _STEADY.search(getattr(equations[n], "beside", "")) for n in about)
+    special = all(_is_integral(verdict, n) for n in about)
     if again.verdict is not Verdict.EQUIVALENT and not (special and again.verdict is Verdict.INCOMPLETE):
         return unchanged
     diagnoses = [verdict.equations[n].diagnosis for n in about]
@@ -206,6 +212,17 @@ def _without_asides(
 
 _STEADY = re.compile(r"\bsteady\b|\bcircular motion|\bgleichförmig|\bstationär", re.IGNORECASE)
 """What makes an equation one about a particular motion."""
+
+
+def _says_steady(equation: Fragment, reference: Reference) -> bool:
+    r"""Whether an equation is about a steady motion: `A steady circle has \ddot r = 0, hence \dot\varphi^2 = ...`."""
+    if not isinstance(equation, GivenEquation):
+        return False
+    source, start = equation.whole.source.text, equation.span(0, 0).start
+    if not _STEADY.search(f"{equation.beside} {source[source.rfind(chr(10), 0, start) + 1 : start]}"):
+        return False
+    vanishes = all(e.is_Symbol and base(e) != e for e in equation.reading.components)
+    return vanishes or not is_of_motion(equation, reference)
 
 
 def _is_integral(verdict: AnswerVerdict, n: int) -> bool:

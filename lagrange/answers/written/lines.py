@@ -420,15 +420,15 @@ def _after_words(text: str, start: int, end: int) -> int:
             break
         elif word and (words > 0 or _is_word(word[0], read, text, word.end(), end)):
             at, words, read = word.end(), words - 1, read + 1
-        elif read and (article := re.compile(r"[aAI](?=\s+[^\W\d_]{2})").match(text, at, end)):
-            at = article.end()
+        elif article := (_ARTICLE if read else _FIRST_ARTICLE).match(text, at, end):
+            at, words = article.end(), words or _prose_words(text, article.end(), end)
         else:
             break
-    if read and (name := _NAME_AND_COMMA.match(text, at, end)):  # with the friction angle φ, tan φ = μ
-        at = name.end()
-    return at
+    name = _NAME_AND_COMMA.match(text, at, end) if read else None  # with the friction angle φ, tan φ = μ
+    return name.end() if name else at
 
 
+_ARTICLE, _FIRST_ARTICLE = re.compile(r"[aAI](?=\s+[^\W\d_]{2})"), re.compile(r"A(?=\s+[a-z]{3,}\s+[a-z]{3,}\s)")
 _NAME_AND_COMMA = re.compile(r"[^\W\d]\w{0,12}\s*,\s+(?=[^=,]{1,40}=)")
 
 
@@ -558,7 +558,7 @@ _CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 _BETWEEN_CONDITIONS = re.compile(
-    r"[,;]|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"
+    r"(?<!\\)[,;]|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"
     r"|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
 )
 

@@ -532,8 +532,8 @@ class _Sorting:
 
     def _numbers_an_alternative(self, name: str, coordinate: str, index: str) -> bool:
         """Whether `theta_2` or `P_max` is one of several values, and no name of something else."""
-        alone = len(lines_with(name, self.texts)) == 1 and not lines_with(coordinate, self.texts)
-        return alone and (index.isdigit() or index in ("min", "max"))
+        alone = len(lines_with(name, self.texts)) == 1
+        return alone and (index in ("min", "max") or (index.isdigit() and not lines_with(coordinate, self.texts)))
 
     def _find_unknowns(self, lines: list[Line]) -> None:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""

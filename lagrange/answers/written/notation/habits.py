@@ -91,6 +91,10 @@ _FOR_ALL = re.compile(
     r"(?<=\s)(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\s+(?:if|when|for|where|provided(?:\s+that)?)(?=\s[^=]*=)"
 )
 """For which positions an equation between parameters holds: `(for every theta) W = c h`, `any theta if W = c h`."""
+_MUST_BE = re.compile(
+    r",?\s+(?:(?:which|this|it|and|das|dies)\s+)?(?:must|has\s+to|needs\s+to|should|muss|doit)\s+(?:(?:be|être)(?=\s*[<>≤≥])|(?=[<>≤≥]))"
+)
+"""Words before the sign of a condition: `N = W - P h/b, must be >= 0`."""
 _HALF = re.compile(r"(?<![\w\\])t(?=½\s*=)")
 _AT_PLACES = re.compile(
     r"^(?P<label>[ \t]*(?:(?:eigen)?frequenc(?:y|ies)|Frequenz(?:en)?|ω|omega|w)\s*:)"
@@ -144,6 +148,7 @@ def in_usual_signs(text: str) -> str:
     text = _FUNCTION_OF_TIME.sub(lambda m: f"{m['name']}{' ' * len(m['arrow'])}", text)
     text = _AT_REST.sub(_blank, text)
     text = _FOR_ALL.sub("", text)
+    text = _MUST_BE.sub(_blank, text)
     text = _HALF.sub("t_", text)
     text = _AT_PLACES.sub(lambda m: "; ".join(f"omega = {i.strip()}" for i in m["items"].split(";") if i.strip()), text)
     if "≈" in text or "approx" in text:
