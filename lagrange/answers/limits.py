@@ -419,6 +419,9 @@ removed one at a time, so that the search does not go back to the beginning for 
 MOST_PIECEWISE = 8
 """Calls of `Piecewise` or `If` in one text that are written out as cases at once."""
 
+ROUNDING_OF_CASES = 0.02
+"""How far a number for a special case, an angle in degrees, may be from the right one: 33° for 32.6°."""
+
 LONGEST_BEFORE_CASE = 60
 """Characters before an equation in which a word such as "for" makes it a special case: two or three words have
 fewer."""

@@ -161,8 +161,10 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
             yield from _in_lines(_part(fragment, start, end))
             continue
         places = [(start + a, start + b) for a, b in cuts(fragment.text[start:end], _BETWEEN_STATEMENTS)]
+        restricting = [place for place in places if _ALWAYS_IF.fullmatch(fragment.text, *place) is None]
+        places = restricting or places
         if all(is_inequality(_part(fragment, *place)) for place in places):
-            places = [(start, end)]
+            places = [(places[0][0], places[-1][1])]
         for begins, stop in places:
             if not is_inequality(_part(fragment, begins, stop)):
                 yield from _in_lines(_part(fragment, begins, stop))
@@ -178,6 +180,12 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
 
 
 _DISPLAY = re.compile(r"\\[\[(]\s*(.*?)[\s.,;]*\\[\])]")
+_ALWAYS_IF = re.compile(
+    r"\s*(?:and\s+|und\s+)?(?:if|when|for|wenn|falls|für|si)\b[^,;]*[<>≤≥][^,;]*,[^<>≤≥=]*"
+    r"\b(?:every|any|all|each|whatever|always|jede\w*|immer|toujours|toute?s?)\b[^<>≤≥=]*",
+    re.IGNORECASE,
+)
+"""`if mu*nu >= 1, at every angle`: when a condition of rest beside it is no restriction."""
 _BETWEEN_STATEMENTS = re.compile(r";|==?>|⇒|⟹|→|->|(?<=[\w)$}])\.\s+(?=[A-Z][a-z]*\s)")
 
 

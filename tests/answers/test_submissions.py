@@ -312,3 +312,22 @@ def test_equations_of_all_files_of_a_submission_are_counted_together() -> None:
     )
     assert graded.verdict.value == "unreadable"
     assert "1,000 equations in all its files" in graded.headline
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        ("The ladder stands for tan(theta) <= 2 mu/(1 - mu nu); if mu nu >= 1, at every angle.", "equivalent"),
+        ("tan(eps) = mu, tan(del) = nu\nrest: tan(theta)*(1 - tan(eps)*tan(del)) <= 2*tan(eps)", "equivalent"),
+        ("The ladder stands for tan(theta) <= 2 mu/(1 + mu nu); if mu nu >= 1, at every angle.", "wrong"),
+    ],
+)
+def test_when_a_condition_is_none_and_functions_of_names_that_the_answer_defines(text: str, verdict: str) -> None:
+    grader = Grader.of(Examiner(loaded("ladder-on-rough-ground"), solved("ladder-on-rough-ground")))
+    assert grader.grade(Submission("x", (("a.txt", text.encode()),))).verdict.value == verdict
+
+
+def test_a_count_of_coordinates_is_arithmetic() -> None:
+    grader = Grader.of(Examiner(loaded("ex04-dumbbell"), solved("ex04-dumbbell")))
+    text = "6 - 1 = 5 degrees of freedom, holonomic, scleronomic\n(x2 - x1)^2 + (y2 - y1)^2 + (z2 - z1)^2 = l^2\n"
+    assert grader.grade(Submission("x", (("a.txt", text.encode()),))).verdict.value == "equivalent"

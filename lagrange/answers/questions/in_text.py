@@ -401,7 +401,14 @@ def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Jud
             return None
         if linear is not None and any(marks_approximation(f.whole.source.text) for f in rest):
             return _only(linear, solution)
-    return _with_positions(rest, solution, judge) if working.judged or working.unreadable else None
+    if not working.judged and not working.unreadable:
+        return None
+    judged = _with_positions(rest, solution, judge)
+    if judged.verdict is Verdict.WRONG:  # linear equations without a word may be those of the frequencies
+        linear = check_linearized(rest, solution, are_marked=True)
+        if linear is not None and linear.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE):
+            return _only(replace(linear, verdict=Verdict.EQUIVALENT, missing=0), solution)
+    return judged
 
 
 def _linear_beside(working: Working, solution: Solution) -> Judgement | None:

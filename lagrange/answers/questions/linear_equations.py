@@ -181,8 +181,13 @@ _ABOUT = "it is compared with the equations linearized about {}"
 _OTHER = "with these coefficients of the accelerations, that of `{}` is another in the equations linearized about {}"
 
 
-def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
-    """The verdict on equations that are marked as those of small oscillations; None if there are others."""
+def check_linearized(
+    answer: Sequence[Fragment], solution: Solution, *, are_marked: bool = False
+) -> AnswerVerdict | None:
+    """The verdict on equations that are marked as those of small oscillations; None if there are others.
+
+    are_marked  whether what stands beside them, frequencies, marks them
+    """
     reference = reference_of_solution(solution)
     try:
         working = understood(answer, reference)
@@ -199,7 +204,9 @@ def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
             continue
         letters = dict(zip(linearization.displacements, linearization.configuration.slots.coordinates, strict=True))
         in_letters = any(base(s) in letters for e in equations for s in e.free_symbols)
-        if not in_letters and 0 not in working.approximate:  # a mark before the first counts for all that follow
+        if not (
+            are_marked or in_letters or 0 in working.approximate
+        ):  # a mark before the first counts for all that follow
             continue
         slots = linearization.displacements if in_letters else linearization.configuration.slots.coordinates
         for place in _places(linearization):

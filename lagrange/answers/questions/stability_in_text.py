@@ -39,6 +39,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import base, symbols_in
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.results import InCoordinates, Solution
 
 WRONG_STABILITY = "the claim about its stability is wrong"
@@ -320,6 +321,7 @@ def check_stability_sentences(
     return AnswerVerdict(Verdict.WRONG if wrong else Verdict.EQUIVALENT, tuple(parts), name="stability")
 
 
+_LABELLED = re.compile(r"(?P<place>[^:=]+=[^:=]+):(?P<value>[^:]+[,;]\s)?(?P<claim>[^,;:]+)")
 _ALL = re.compile(r"\b(?:both|all|each|every|beide|alle|jede[rs]?|toutes|tous|les\s+deux)\b", re.IGNORECASE)
 _ORDINALS = (r"first|former|erste|premi[eè]re?", r"second|zweite|deuxi[eè]me|seconde", r"third|dritte|troisi[eè]me")
 _LAST = re.compile(r"\b(?:latter|last|letzte|derni[eè]re?)\b", re.IGNORECASE)
@@ -334,18 +336,32 @@ def with_sentences_on_stability(answer: Sequence[Fragment], judged: Judgement, s
         return judged
     sources = dict.fromkeys(f.whole.source for f in answer)
     sentences = [s for source in sources for s in _SENTENCE.split(source.text.replace("$", " ")) if WORD.search(s)]
+    labelled = [m for s in sentences if (m := _LABELLED.fullmatch(s.strip())) is not None]
     sentences = [s for s in sentences if "=" not in s.replace("<=", "").replace(">=", "")]
-    places = [*_all_places(solution)] if sentences else []
+    places = [*_all_places(solution)] if sentences or labelled else []
     if not places:
         return judged
     reference = reference_of_solution(solution)
     positions = [*_positions_in(answer, reference)]
     parts = [p for s in sentences if (p := _judged_sentence(s, positions, places, reference, solution)) is not None]
+    parts += [p for m in labelled if (p := _judged_label(m, places, reference)) is not None]
     if not parts:
         return judged
     wrong = any(p.verdict is Verdict.WRONG for p in parts)
     verdict = AnswerVerdict(Verdict.WRONG if wrong else Verdict.EQUIVALENT, tuple(parts), name="stability")
     return replace(judged, others=(*judged.others, verdict))
+
+
+def _judged_label(labelled: re.Match[str], places: Sequence[_Place], reference: Reference) -> EquationVerdict | None:
+    """The verdict on `θ = 0: ω = √(g/l), stable for l > 0`: a claim on the position before the colon."""
+    claim = _claim_in(labelled["claim"], reference)
+    position = read_as_written(Fragment.of(labelled["place"]), reference.scope)
+    if claim is None or position.error is not None:
+        return None
+    true = [t for p in places if (t := _holds_at(claim, position.components, p)) is not None]
+    verdict = Verdict.EQUIVALENT if all(true) else Verdict.WRONG
+    stated = f"{labelled['place'].strip()}: {labelled['claim'].strip()}"
+    return EquationVerdict.of(stated, verdict, "" if all(true) else WRONG_STABILITY) if true else None
 
 
 def _positions_in(answer: Sequence[Fragment], reference: Reference) -> Iterator[Sequence[sp.Expr]]:
@@ -462,12 +478,19 @@ def _all_places(solution: Solution) -> Iterator[_Place]:
             for branch in view.equilibrium.branches:
                 yield _Place(view.equilibrium, branch, sp.Matrix(view.stability.matrix))
         elif view.linearization is not None:
-            for branch, s in zip(view.linearization.branches, view.linearization.at, strict=True):
-                if s is not None:
-                    resting, mass, damping = s.system.stiffness, s.system.mass, s.system.damping
-                    moving = any(e != 0 for row in damping for e in row)
-                    motion = (sp.Matrix(mass), sp.Matrix(damping)) if moving else None
-                    yield _Place(view.linearization.equilibrium, branch, sp.Matrix(resting), motion)
+            yield from _places_about(view.linearization)
+        if view.steady is not None:
+            for family in view.steady.families:
+                yield from _places_about(family.about)
+
+
+def _places_about(linear: Linearization) -> Iterator[_Place]:
+    for branch, s in zip(linear.branches, linear.at, strict=True):
+        if s is not None:
+            resting, mass, damping = s.system.stiffness, s.system.mass, s.system.damping
+            moving = any(e != 0 for row in damping for e in row)
+            motion = (sp.Matrix(mass), sp.Matrix(damping)) if moving else None
+            yield _Place(linear.equilibrium, branch, sp.Matrix(resting), motion)
 
 
 def _is_true(clauses: Sequence[_Clause], place: _Place) -> bool:

@@ -34,12 +34,16 @@ import re
 from collections.abc import Iterator, Sequence
 from unicodedata import normalize
 
+import sympy as sp
+
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
-from lagrange.answers.limits import LONGEST_BEFORE_CASE, LONGEST_CONNECTIVE, MOST_PIECEWISE
-from lagrange.answers.readings import Reading
+from lagrange.answers.limits import LONGEST_BEFORE_CASE, LONGEST_CONNECTIVE, MOST_PIECEWISE, ROUNDING_OF_CASES
+from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference
+from lagrange.answers.written.decimals import numbers_rounding_to
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
+from lagrange.core.symbols import Decimal
 from lagrange.expressions.edits import closings, cuts
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.mechanics.dynamics.comparison import Standing, compare
@@ -410,10 +414,18 @@ _JOINS = re.compile(
 
 
 def about_special_cases(
-    equations: Sequence[tuple[Fragment, Reading]], reference: Reference
+    equations: Sequence[tuple[Fragment, Reading]], reference: Reference, *, at_rest: bool = False
 ) -> tuple[set[int], set[int]]:
-    """The indices of the equations that state a case, and of those that hold in one."""
-    cases = {n for n, (f, r) in enumerate(equations) if _CASE.search(_before(f)) and _is_case(r, reference)}
+    """The indices of the equations that state a case, and of those that hold in one.
+
+    at_rest  then only a parameter with a number is a case: other equations may be positions, or conditions of rest
+    """
+    states = _gives_parameter if at_rest else _is_case
+    cases = {n for n, (f, r) in enumerate(equations) if _CASE.search(_before(f)) and states(r, reference)}
+    if at_rest and cases:  # `for α = 30°, β = 45° and W = 2 N`
+        for n in range(min(cases) + 1, len(equations)):
+            if n - 1 in cases and _gives_parameter(equations[n][1], reference):
+                cases.add(n)
     special: set[int] = set()
     for n in cases:
         case = equations[n][0].span(0, len(equations[n][0].text))
@@ -436,14 +448,54 @@ def _before(fragment: Fragment) -> str:
     return text[max(text.rfind("\n") + 1, span.start - LONGEST_BEFORE_CASE) :]
 
 
+def _gives_parameter(reading: Reading, reference: Reference) -> bool:
+    """Whether an equation gives one parameter a number."""
+    if reading.error is not None or len(reading.components) != 1:
+        return False
+    symbols = {s for s in reading.components[0].free_symbols if not isinstance(s, Decimal)}
+    return len(symbols) == 1 and symbols <= {*reference.parameters.values()}
+
+
+def contradicted_in_case(case: Sequence[Reading], special: Reading, others: Sequence[Reading]) -> bool:
+    """Whether a number stated for a special case contradicts what the same answer says in general."""
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for reading in case:
+        for e in reading.components:
+            for s in e.free_symbols:
+                slope = e.diff(s)
+                if not isinstance(s, Decimal) and not slope.free_symbols:
+                    values[s] = s - e / slope
+    stated = {s for e in special.components for s in e.free_symbols if not isinstance(s, Decimal)}
+    if len(stated) != 1 or len(special.components) != 1:
+        return False
+    [e], [s] = special.components, stated
+    slope = e.diff(s)
+    if slope.free_symbols or slope == 0:
+        return False
+    number = s - e / slope
+    residuals = [x.xreplace(values) for r in others if r.error is None for x in r.components if s in x.free_symbols]
+    residuals = [x for x in residuals if all(y == s or isinstance(y, Decimal) for y in x.free_symbols)]
+    return bool(residuals) and not any(_fits(x, s, number) for x in residuals)
+
+
+def _fits(residual: sp.Expr, s: sp.Symbol, number: sp.Expr) -> bool:
+    """Whether a residual vanishes at a number that may be rounded; an angle in degrees has no decimals any more."""
+    if decimals_in([residual, number]):
+        return numbers_rounding_to([residual.xreplace({s: number})]) is not None
+    ends = [residual.xreplace({s: number * (1 + sign * ROUNDING_OF_CASES)}).evalf() for sign in (-1, 1)]
+    return all(end.is_real for end in ends) and bool(ends[0] * ends[1] <= 0)
+
+
 def _is_case(reading: Reading, reference: Reference) -> bool:
-    """Whether an equation is between parameters, or gives a coordinate a place that not every motion has."""
+    """Whether an equation is between parameters, gives a coordinate a place that few motions have, or is q'' = 0."""
     if reading.error is not None or len(reading.components) != 1:
         return False
     (e,) = reading.components
     used = e.free_symbols - {*reference.parameters.values()}
     if not used:
         return bool(e.free_symbols)
+    if e in {*reference.scope.slots.velocities, *reference.scope.slots.accelerations}:
+        return True
     if not used <= {*reference.scope.slots.coordinates} or len(used) != 1:
         return False
     for c in reference.candidates_for({s.name for s in e.free_symbols}):

@@ -555,7 +555,7 @@ def _joint(words: str) -> str:
 
 _CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 """A case, which has a result of its own: `if mu < b/h: P_max = ...`."""
-_WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
+_WORDS_IN_BRACKETS = re.compile(r"(?<![^\W\d_])\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 _BETWEEN_CONDITIONS = re.compile(
     r"(?<!\\)[,;]|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"

@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.answers.limits import LONGEST_LAW, LONGEST_WRITTEN_NAME, MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
-from lagrange.answers.written.cases import about_special_cases
+from lagrange.answers.written.cases import about_special_cases, contradicted_in_case
 from lagrange.answers.written.marked_names import with_indices_of_greek, with_primed_names
 from lagrange.answers.written.names import (
     AT_EQUILIBRIUM,
@@ -83,6 +83,7 @@ _RATE_OF = re.compile(
     r"(?<![A-Za-z])d\s?([A-Za-z]{1,3})\s*(?:/|\}\s*\{)\s*d\s?[A-Za-z]|\\dot\s*\{?\s*([A-Za-z])(?![A-Za-z])"
 )
 """The rate of a letter: `dv/dt`, `\\frac{dv}{dx}`, `\\dot v`."""
+_ARITHMETIC = re.compile(r"[\d\s+\-−*/·×().=]+")
 _RATE_ALONE = re.compile(r"\s*d([A-Za-z][A-Za-z0-9_]{0,20})\s*=(?!=)")
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z0-9_])[dδ](?:[A-Za-z]|θ|φ)|/\s*d")
 _UNDOING: dict[str, Callable[[sp.Expr], sp.Expr]] = {
@@ -175,6 +176,7 @@ class _Sorting:
         # what was read of a side, and with which names; and the same of a side that may be a name alone
         self.sides: dict[str, tuple[Scope, sp.Expr | Vector | None]] = {}
         self.names: dict[str, tuple[Scope, tuple[str, str]]] = {}
+        self.given: list[Line] = []  # the values of parameters that the problem leaves open
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
     def sorted(self, lines: list[Line], eliminating: bool) -> Working:
@@ -258,6 +260,8 @@ class _Sorting:
         quotes += self._noted([x for x in lines if self._is_general_law(x)], "is taken as a general law")
         integrals = [x for x in lines if x.reading and x.reading.error and is_integral(x.text)]
         quotes += self._noted(integrals, "is an integral")
+        counts = [x for x in lines if _ARITHMETIC.fullmatch(x.text) and x.reading and x.reading.components == (0,)]
+        quotes += self._noted(counts, "is arithmetic") if len(counts) < len(lines) else []
         quotes += self._about_special_cases(_without(lines, quotes))
         conditions = [x for x in lines if is_condition(getattr(x.fragment, "beside", ""), x.text)]
         if len(conditions) < len(lines):
@@ -345,9 +349,14 @@ class _Sorting:
 
     def _about_special_cases(self, lines: list[Line]) -> list[Line]:
         """The lines about a special case, each with a note; none if there are no other lines."""
-        if not self.values_are_asides:
-            return []
-        cases, special = about_special_cases([(x.fragment, x.reading or Reading("")) for x in lines], self.reference)
+        for line in self.given:
+            self._read(line)
+        given, lines = self.given, sorted([*self.given, *lines], key=lambda x: x.fragment.span(0, 0).start)
+        read = [(x.fragment, x.reading or Reading("")) for x in lines]
+        cases, special = about_special_cases(read, self.reference, at_rest=not self.values_are_asides)
+        others = [r for n, (_, r) in enumerate(read) if n not in cases | special]
+        special -= {n for n in special if contradicted_in_case([read[k][1] for k in cases], read[n][1], others)}
+        cases -= {n for n in cases if lines[n] in given}
         if len(cases) + len(special) in (0, len(lines)):
             return []
         for n in sorted(cases | special):
@@ -401,6 +410,7 @@ class _Sorting:
         stated = value_of(number)
         if known is None or number["unit"].strip(" .,;$") or abs(stated - known) <= abs(known) / 50:
             self._note(line, f"`{line.text}` is taken as a value, and is not judged")
+            self.given += [line] if known is None else []
         else:
             self._note(line, f"`{line.text}` contradicts the problem, in which `{name}` is {known}")
 

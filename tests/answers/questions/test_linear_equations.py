@@ -85,3 +85,14 @@ def test_a_mark_before_the_first_equation_counts_for_all_that_follow(lines: list
     grader = Grader.of(Examiner(loaded(problem), solved(problem)))
     graded = grader.grade(Submission("x", (("answer.txt", "\n".join(lines).encode()),)))
     assert graded.verdict is verdict
+
+
+@pytest.mark.parametrize(("sign", "verdict"), [("-", "equivalent"), ("+", "wrong")])
+def test_linear_equations_beside_their_frequencies_need_no_word(sign: str, verdict: str) -> None:
+    text = (
+        "m l theta1'' + (m g + c l) theta1 - c l theta2 = 0\n"
+        f"m l theta2'' + (m g + c l) theta2 {sign} c l theta1 = 0\n"
+        "omega_1 = sqrt(g/l), omega_2 = sqrt(g/l + 2 c/m)\n"
+    )
+    grader = Grader.of(Examiner(loaded("coupled-pendulums"), solved("coupled-pendulums")))
+    assert grader.grade(Submission("x", (("a.txt", text.encode()),))).verdict.value == verdict

@@ -10,6 +10,7 @@ import pytest
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.questions.stability_in_text import check_stability_sentences, is_about_stability
 from lagrange.answers.references import reference_of_solution
+from lagrange.answers.submissions import Grader, Submission
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment
 from tests.support.shared import loaded, solved
@@ -54,3 +55,23 @@ def test_the_upright_pendulum_between_springs(line: str, verdict: Verdict) -> No
     answer = check_stability_sentences([Fragment.of(line)], solution, reference_of_solution(solution))
     assert answer is not None
     assert answer.verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "verdict"),
+    [
+        ("bead-on-rotating-hoop", "theta = 0: omega = sqrt(g/R - Omega^2), stable for Omega^2 < g/R", "equivalent"),
+        ("bead-on-rotating-hoop", "theta = 0: omega = sqrt(g/R - Omega^2), stable for Omega^2 > g/R", "wrong"),
+        ("marble-in-a-cone", "The steady motion is stable if tan(alpha) > 1 and unstable otherwise.", "wrong"),
+    ],
+)
+def test_claims_after_a_label_and_on_steady_motions(name: str, text: str, verdict: str) -> None:
+    equations = {
+        "bead-on-rotating-hoop": "R theta'' = (R Omega^2 cos(theta) - g) sin(theta)\n"
+        "cos(theta) = g/(R Omega^2): omega = sqrt(Omega^2 - g^2/(R^2 Omega^2))\n",
+        "marble-in-a-cone": "r'' - r phi'^2 sin(alpha)^2 + g cos(alpha) = 0\nr phi'' + 2 r' phi' = 0\n"
+        "phi'^2 = g cos(alpha)/(r sin(alpha)^2)\n",
+    }
+    grader = Grader.of(Examiner(loaded(name), solved(name)))
+    graded = grader.grade(Submission("x", (("a.txt", f"{equations[name]}{text}\n".encode()),)))
+    assert graded.verdict.value == verdict, graded.equations

@@ -14,6 +14,7 @@ from lagrange.answers.submissions import Grader, Submission
 from lagrange.answers.written.cases import single_condition, with_cases, with_senses
 from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
+from tests.support.shared import loaded, solved
 
 BLOCK = """
 title: Block on a spring with friction
@@ -157,3 +158,33 @@ def test_a_constraint_is_no_special_case() -> None:
     grader = Grader.of(Examiner.of(read_problem(Source("p", text))))
     wrong = "l theta'' + g sin(theta) = 0\nfor theta = theta: l theta'' = 0\n"
     assert grader.grade(Submission("x", (("a.txt", wrong.encode()),))).verdict.value == "wrong"
+
+
+@pytest.mark.parametrize(
+    ("beside", "expected"),
+    [
+        ("For alpha = 30 deg and beta = 45 deg: theta = 20.1 deg", "equivalent"),
+        ("For $\\alpha=30^\\circ$, $\\beta=45^\\circ$ this gives $\\theta\\approx 20.1^\\circ$.", "equivalent"),
+        ("For alpha = 30 deg and beta = 45 deg: theta = 21.4 deg", "wrong"),
+        ("For alpha = 30 deg and beta = 45 deg: theta = 0.351 deg", "wrong"),
+    ],
+)
+def test_a_number_for_given_angles_must_fit_what_the_answer_says_in_general(beside: str, expected: str) -> None:
+    """tan θ = (cot α − cot β)/2: θ = 20.1° for 30° and 45°."""
+    grader = Grader.of(Examiner(loaded("rod-on-unequal-planes"), solved("rod-on-unequal-planes")))
+    general = (
+        "tan(theta) = (1/tan(alpha) - 1/tan(beta))/2\n"
+        "N_A = W sin(beta)/sin(alpha + beta), N_B = W sin(alpha)/sin(alpha + beta)\n"
+    )
+    graded = grader.grade(Submission("x", (("a.txt", f"{general}{beside}\n".encode()),)))
+    assert graded.verdict.value == expected, graded.equations
+
+
+def test_what_is_set_to_zero_for_an_equilibrium_is_no_equation_of_motion() -> None:
+    grader = Grader.of(Examiner(loaded("bead-on-rotating-hoop"), solved("bead-on-rotating-hoop")))
+    text = (
+        "R theta'' = (R Omega^2 cos(theta) - g) sin(theta)\n"
+        "theta = 0: omega^2 = g/R - Omega^2\ncos(theta) = g/(R Omega^2): omega^2 = Omega^2 sin(theta)^2\n"
+        "Setting theta'' = 0 the equilibria are sin(theta) = 0 or cos(theta) = g/(R Omega^2)\n"
+    )
+    assert grader.grade(Submission("x", (("a.txt", text.encode()),))).verdict.value == "equivalent"
