@@ -424,14 +424,14 @@ def _terms(p: sp.Expr, symbols: Sequence[sp.Symbol]) -> _Terms:
 def _combined(p: _Terms, known: Sequence[tuple[_Terms, bool]], steps: int, strict: bool = False) -> int:
     """As `_least`, for p and `steps` multiples of what is known, by monomials, that may be taken from it."""
     p = {m: c for m, c in p.items() if c != 0}
-    negative = next((m for m in sorted(p) if p[m].could_extract_minus_sign()), None)
+    negative = next((m for m in sorted(p) if p[m].is_negative is not False), None)
     if negative is None:
         return 2 if strict or p else 1
     least = 0
     for terms, is_strict in known if steps else ():
         for m, c in terms.items():
             powers = tuple(x - y for x, y in zip(negative, m, strict=True))
-            if not c.could_extract_minus_sign() or min(powers) < 0:
+            if not c.is_negative or min(powers) < 0:
                 continue
             rest = dict(p)
             for n, d in terms.items():
@@ -488,34 +488,6 @@ def _sum_is_positive(a: sp.Expr, b: sp.Expr, known: Sequence[_Bound]) -> bool:
     of_a, of_b = sp.expand(a).as_coefficients_dict(), sp.expand(b).as_coefficients_dict()
     scales = {sp.S.One, *(-of_a[m] / c for m, c in of_b.items() if m in of_a and of_a[m] * c < 0)}
     return any(_least(sp.expand(a + scale * b), known) for scale in scales)
-
-
-def solved_for(conditions: Sequence[SignCondition], loads: Sequence[sp.Symbol]) -> tuple[SignCondition, ...]:
-    """Conditions that are linear in one of some parameters, the loads, solved for it: P < (3 − √5) k/(2 l)."""
-    return tuple(_solved_for(c, loads) for c in conditions)
-
-
-def _solved_for(c: SignCondition, loads: Sequence[sp.Symbol]) -> SignCondition:
-    if c.lhs.has(sp.Abs) or c.rhs.has(sp.Abs):
-        return c
-    difference = sp.expand(c.lhs - c.rhs)
-    occurring = [p for p in loads if p in difference.free_symbols]
-    if len(occurring) != 1:
-        return c
-    [p] = occurring
-    rate = difference.diff(p)
-    if p in rate.free_symbols:
-        return c
-    rate = sp.factor(rate)
-    if not (rate.is_positive or rate.is_negative):
-        return c
-    value = sp.factor(sp.together((p * rate - difference).expand() / rate))
-    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
-    value = sp.radsimp(number) * rest
-    value = min((value, sp.expand(value)), key=lambda e: count_operations(e))
-    if value.is_negative or value == 0 or value.could_extract_minus_sign():
-        return c
-    return replace(c, lhs=p, relation=c.relation if rate.is_positive else OPPOSITE[c.relation], rhs=value)
 
 
 # -- Under which conditions on the parameters several expressions are positive, each where those before it are ---------

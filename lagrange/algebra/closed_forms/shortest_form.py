@@ -162,7 +162,11 @@ def with_whole_contents(e: sp.Expr) -> sp.Expr:
 
 
 def with_differences_of_squares(e: sp.Expr) -> sp.Expr:
-    """A product with r² − a² for its factors (r − a) (r + a), as books print it."""
+    """A product with r² − a² for its factors (r − a) (r + a), as books print it; roots of such products too."""
+    roots = [p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer and p.base.is_Mul]
+    products = [m for m in e.atoms(sp.Mul) if m != e and any(f.is_Pow and not f.exp.is_Integer for f in m.args)]
+    e = e.xreplace({p: sp.Pow(with_differences_of_squares(p.base), p.exp) for p in roots})
+    e = e.xreplace({m: with_differences_of_squares(m) for m in products})
     if not e.is_Mul:
         return e
     factors = list(e.args)
@@ -171,7 +175,8 @@ def with_differences_of_squares(e: sp.Expr) -> sp.Expr:
         if n != m or not (a.is_Add and b.is_Add and len(a.args) == len(b.args) == 2) or other not in factors:
             continue
         total, difference = (a + b) / 2, (a - b) / 2
-        if one in factors and not total.is_Add and not difference.is_Add and not total.is_number:
+        is_plain = not total.is_number or (difference**2).base.is_Symbol  # 1 − μ², but not 1 − cos² θ
+        if one in factors and not total.is_Add and not difference.is_Add and is_plain:
             factors.remove(one)
             factors[factors.index(other)] = (total**2 - difference**2) ** n
     return e if len(factors) == len(e.args) else sp.Mul(*factors, evaluate=False)

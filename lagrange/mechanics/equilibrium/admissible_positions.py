@@ -42,7 +42,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.conditions import further_conditions
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, with_shares_of_pi
+from lagrange.algebra.closed_forms.solution_sets import Branch, Relation, SolutionSet, with_shares_of_pi
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero, rank
@@ -71,7 +71,10 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
         return None
     known = tuple(c for q, r in ranges.items() for c in _known(q, r, solution))
     more = [c for q, r in ranges.items() for c in _conditions(q, r, kept, solution, positive)]
-    conditions = tuple(dict.fromkeys([*b.conditions, *more]))
+    bounds = [pair for r in b.relations for pair in _bounds_of_wave(r, ranges, solution, positive)]
+    more += [c for c, _ in bounds]
+    weaker = {c for _, c in bounds}  # |cos θ| ≤ 1
+    conditions = tuple(dict.fromkeys([*(c for c in b.conditions if c not in weaker), *more]))
     if more:
         shorter = further_conditions(conditions)
         if shorter is None:
@@ -165,6 +168,32 @@ def _conditions(
             yield from not_negative(value, positive) or ()
         else:
             yield more_than_zero(value)
+
+
+def _bounds_of_wave(
+    r: Relation, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet, positive: Sequence[sp.Expr]
+) -> Iterator[tuple[SignCondition, SignCondition | None]]:
+    """The bounds of sin θ, cos θ or tan θ in a range of θ in which it only grows or only falls; what each replaces.
+
+    With tan θ = v and |θ| ≤ 45° they are −1 ≤ v ≤ 1. An end at which any value is admitted gives none; of cos θ = v in
+    a range that is the same on both sides of 0 there is only |θ| ≤ b.
+    """
+    angle = r.lhs.args[0] if isinstance(r.lhs, (sp.sin, sp.cos, sp.tan)) else None
+    if angle not in ranges or angle not in solution.letters.angles or r.rhs.free_symbols & {*solution.unknowns}:
+        return
+    low, high = ranges[angle].low, ranges[angle].high
+    falls = isinstance(r.lhs, sp.cos)
+    low = sp.S.Zero if falls and low == -high else low
+    begin, end = (sp.S.Zero, sp.pi) if falls else (-sp.pi / 2, sp.pi / 2)
+    if not (low.is_number and high.is_number and begin <= low < high <= end):
+        return
+    wave = r.lhs.func
+    for edge, outermost, sense in ((low, begin, 1), (high, end, -1)):
+        if edge != outermost and count_operations(r.rhs) <= LONGEST_RANGE_CONDITION:
+            sense = -sense if falls else sense
+            at_most = [] if wave(outermost).is_infinite else not_negative(sense * (r.rhs - wave(outermost)), positive)
+            for c in not_negative(sense * (r.rhs - wave(edge)), positive) or ():
+                yield c, at_most[0] if at_most else None
 
 
 def _known(q: sp.Symbol, limits: Range, solution: SolutionSet) -> Iterator[SignCondition]:

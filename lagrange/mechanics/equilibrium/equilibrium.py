@@ -26,7 +26,6 @@ from itertools import chain
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.conditions import solved_for
 from lagrange.algebra.closed_forms.polynomial_roots import without_squares
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
@@ -51,7 +50,7 @@ from lagrange.mechanics.equilibrium.admissible_positions import (
     symmetric_places,
     within,
 )
-from lagrange.mechanics.equilibrium.loads import at_rest, load_parameters
+from lagrange.mechanics.equilibrium.loads import at_rest, load_parameters, solved_for
 
 
 @record

@@ -11,9 +11,9 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.conditions import solved_for
+from lagrange.algebra.closed_forms.conditions import OPPOSITE
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
@@ -80,6 +80,46 @@ def for_loads(conditions: Sequence[SignCondition], configuration: Configuration)
     return tuple(
         SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
     )
+
+
+def solved_for(conditions: Sequence[SignCondition], loads: Sequence[sp.Symbol]) -> tuple[SignCondition, ...]:
+    """Conditions that are linear in one of some parameters, the loads, solved for it: P < (3 − √5) k/(2 l)."""
+    return tuple(_solved_for(c, loads) for c in conditions)
+
+
+def _solved_for(c: SignCondition, loads: Sequence[sp.Symbol]) -> SignCondition:
+    if c.lhs.has(sp.Abs) or c.rhs.has(sp.Abs):
+        return c
+    difference = sp.expand(c.lhs - c.rhs)
+    occurring = [p for p in loads if p in difference.free_symbols]
+    if len(occurring) > 1:
+        return _by_loads(c, difference, occurring)
+    if not occurring:
+        return c
+    [p] = occurring
+    rate = difference.diff(p)
+    if p in rate.free_symbols:
+        return c
+    rate = sp.factor(rate)
+    if not (rate.is_positive or rate.is_negative):
+        return c
+    value = sp.factor(sp.together((p * rate - difference).expand() / rate))
+    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    value = sp.radsimp(number) * rest
+    value = min((value, sp.expand(value)), key=lambda e: count_operations(e))
+    if value.is_negative or value == 0 or value.could_extract_minus_sign():
+        return c
+    return replace(c, lhs=p, relation=c.relation if rate.is_positive else OPPOSITE[c.relation], rhs=value)
+
+
+def _by_loads(c: SignCondition, difference: sp.Expr, loads: Sequence[sp.Symbol]) -> SignCondition:
+    """A condition on a sum of multiples of loads, each on the side on which it is positive: b² Q > 2 P c²."""
+    rates = {p: sp.factor(difference.diff(p)) for p in loads}
+    senses = {p: sign_of(rate) for p, rate in rates.items()}
+    left, right = (sp.Add(*(s * p * rates[p] for p in loads if senses[p] == s)) for s in (1, -1))
+    if None in senses.values() or 0 in (left, right) or sp.expand(difference - left + right) != 0:
+        return c
+    return replace(c, lhs=left, rhs=right)
 
 
 def potential_of_all(configuration: Configuration, force: sp.Expr) -> sp.Expr | None:

@@ -97,5 +97,7 @@ def test_differences_of_squares() -> None:
     below = with_differences_of_squares(c / ((a - b) * (a + b)))
     assert below.has(a**2 - b**2)
     assert sp.cancel(below - c / (a**2 - b**2)) == 0
-    for e in ((a - b) * (a + b) ** 2, (a - b) * (a + c), (a + b) ** 2, a - b):
+    assert with_differences_of_squares(c / ((1 - a) * (a + 1))).has(1 - a**2)
+    assert with_differences_of_squares(c + sp.sqrt((a - b) * (a + b))).has(a**2 - b**2)
+    for e in ((1 - sp.cos(a)) * (1 + sp.cos(a)), (a - b) * (a + b) ** 2, (a - b) * (a + c), (a + b) ** 2, a - b):
         assert with_differences_of_squares(e) == e

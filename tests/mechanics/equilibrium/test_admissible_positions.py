@@ -106,6 +106,33 @@ def test_the_one_angle_of_a_range_is_a_share_of_pi(limits: str, stated: str) -> 
     assert [e for [e] in found] == [stated]
 
 
+ROD = """title: Rod in two slots, held by a spring
+parameters: {{W: positive, k: positive, l: positive}}
+coordinates: {{theta: {{range: {range}}}}}
+particles: {{B: {{position: l*sin(theta)*i}}, G: {{position: l/2*cos(theta)*j}}}}
+forces: {{weight: {{on: G, vector: {force}}}, spring: {{spring: k, between: [O, B]}}}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("limits", "force", "relation", "where"),
+    [
+        ("[0, 60 deg]", "-W*j", "cos(theta) = W/(2*k*l)", {"2*k*l >= W", "W >= k*l"}),
+        ("[-60 deg, 60 deg]", "-W*j", "cos(theta) = W/(2*k*l)", {"2*k*l >= W", "W >= k*l"}),
+        ("[0, 90 deg]", "-W*j", "cos(theta) = W/(2*k*l)", {"2*k*l >= W"}),
+        ("[45 deg, 80 deg]", "-W*j", "cos(theta) = W/(2*k*l)", {"sqrt(2)*k*l >= W", "W >= 2*k*l*cos(4*pi/9)"}),
+    ],
+)
+def test_the_range_of_an_angle_bounds_its_functions(limits: str, force: str, relation: str, where: set[str]) -> None:
+    """By hand: W/2 = k l cos θ, and cos θ falls from 1 to 1/2 between 0 and 60°."""
+    resting = solved(ROD.format(range=limits, force=force)).solution.own.equilibrium
+    assert resting is not None
+    [branch] = [b for b in resting.branches if b.conditions]
+    assert [str(r.lhs) + " = " + str(r.rhs) for r in branch.relations] == [relation]
+    assert {f"{c.lhs} {c.relation} {c.rhs}".replace("≥", ">=") for c in branch.conditions} == where
+
+
 def test_what_depends_on_the_one_angle_has_a_value() -> None:
     text = """title: two weights on a ring
 parameters: {m: positive, g: positive, R: positive}

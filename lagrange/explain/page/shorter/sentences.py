@@ -141,7 +141,7 @@ _TURNED = {Rule.RESULT: {"≤": "≥", "<": ">"}, Rule.FRICTION_AT_REST: {"≤":
 
 
 def with_symbol_first(steps: Sequence[Step]) -> Iterator[Step]:
-    """The steps, with conditions of rest reversed if a single symbol is on the right."""
+    """The steps, with conditions of rest reversed if a single symbol, or its tangent, is on the right."""
     for step in steps:
         if step.rule in _ASKED and not step.folded:
             step = replace(step, body=tuple(_factored(b) for b in step.body))
@@ -175,12 +175,10 @@ def _turned(e: Equation, relations: Mapping[str, str]) -> Equation:
     if len(e.sides) != 2 or e.relation not in relations:
         return e
     left, right = e.sides
-    if (
-        not isinstance(right, sp.Symbol)
-        or not isinstance(left, sp.Expr)
-        or left.is_Symbol
-        or right in left.free_symbols
-    ):
+    letters = [s.args[0] if isinstance(s, sp.tan) else s for s in e.sides]
+    if not isinstance(letters[1], sp.Symbol) or not isinstance(left, sp.Expr) or isinstance(letters[0], sp.Symbol):
+        return e
+    if letters[1] in left.free_symbols:
         return e
     return replace(e, sides=(right, left), relation=relations[e.relation])
 

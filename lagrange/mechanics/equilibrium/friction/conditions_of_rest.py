@@ -31,7 +31,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.shortest_form import without_leading_minus
+from lagrange.algebra.closed_forms.shortest_form import with_differences_of_squares, without_leading_minus
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
@@ -85,7 +85,7 @@ def _ratio(size: sp.Expr, pressed: sp.Expr, signs: Signs) -> sp.Expr:
     """|F|/N with what is positive in front of the modulus."""
     moduli = [f for f in sp.Mul.make_args(size) if isinstance(f, sp.Abs)]
     if not moduli:
-        return _in_tangents(shortest(size / pressed))
+        return with_differences_of_squares(_in_tangents(shortest(size / pressed)))
     outside: list[sp.Expr] = []
     inside: list[sp.Expr] = []
     bare = size.xreplace({m: m.args[0] for m in moduli})
@@ -154,6 +154,11 @@ def not_negative(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCo
         )
         if collected is not None:
             return [collected]
+    for tangent in sorted(written.atoms(sp.tan), key=str):
+        rough = not _linear(tangent, written)[0].free_symbols.isdisjoint(wanted.coefficients)
+        solved = _solved_for(tangent, written, signs) if rough else None
+        if solved is not None:
+            return [solved]
     terms = sp.Add.make_args(written)
     minus = [t for t in terms if t.could_extract_minus_sign()]
     left, right = sp.Add(*(-t for t in minus)), sp.Add(*(t for t in terms if t not in minus))
@@ -169,7 +174,7 @@ def _solved_for(symbol: sp.Expr, reduced: sp.Expr, signs: Signs) -> RestConditio
         if limit is None or any(signs.of(part) != 1 for part in (limit.slope, limit.growth, limit.ratio)):
             return None
         return RestCondition(limit.value, symbol)
-    bound = without_leading_minus(_in_tangents(shortest(-rest / rate)))
+    bound = with_differences_of_squares(without_leading_minus(_in_tangents(shortest(-rest / rate))))
     return RestCondition(bound, symbol) if sense == 1 else RestCondition(symbol, bound)
 
 
@@ -183,7 +188,7 @@ def value_of_letter(e: sp.Expr, letter: sp.Expr, values: Mapping[sp.Symbol, sp.E
         return None
     if signs.of(rest) not in (1, -1) and is_zero(rate.xreplace(dict(values))) is not False:
         return None
-    return without_leading_minus(_in_tangents(sp.factor(-rest) / sp.factor(rate)))
+    return with_differences_of_squares(without_leading_minus(_in_tangents(sp.factor(-rest) / sp.factor(rate))))
 
 
 @record

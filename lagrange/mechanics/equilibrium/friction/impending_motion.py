@@ -29,7 +29,7 @@ from lagrange.algebra.closed_forms.conditions import (
     positive_part,
     with_shortest_conditions,
 )
-from lagrange.algebra.closed_forms.shortest_form import without_leading_minus
+from lagrange.algebra.closed_forms.shortest_form import with_differences_of_squares, without_leading_minus
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -430,9 +430,8 @@ def _limits_solved(
     """
     b = _coefficients_solved(b, resting)
     if not b.special:
-        return replace(
-            b, relations=tuple(replace(r, rhs=_oriented(r.rhs, wanted.coefficients, signs)) for r in b.relations)
-        )
+        oriented = (replace(r, rhs=_oriented(r.rhs, wanted.coefficients, signs)) for r in b.relations)
+        return replace(b, relations=tuple(replace(r, rhs=with_differences_of_squares(r.rhs)) for r in oriented))
     relations = []
     for r in b.relations:
         written: tuple[RestCondition, ...] = ()

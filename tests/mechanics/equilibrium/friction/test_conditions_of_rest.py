@@ -204,6 +204,22 @@ find: equilibrium
 """At rest F_t = m g c/√(R² + c²) along the wire, across it A = −F and B = m g R/√(R² + c²)."""
 
 
+FROM_FLOOR = """title: Ladder, its inclination measured from the floor
+parameters: [W, l, mu_A, mu_B]
+coordinates: [x, y, theta]
+let: {u: -cos(theta)*i + sin(theta)*j}
+bodies: {ladder: {position: x*i + y*j, angle: -theta}}
+constraints:
+  floor: {equation: y - l/2*sin(theta) >= 0, reaction: N_A}
+  wall: {equation: x - l/2*cos(theta) >= 0, reaction: N_B}
+forces:
+  weight: {on: ladder, vector: -W*j}
+  foot: {friction: mu_A, static: mu_A, constraint: floor, on: ladder, at: r_ladder - l/2*u}
+  top: {friction: mu_B, static: mu_B, constraint: wall, on: ladder, at: r_ladder + l/2*u}
+find: equilibrium
+"""
+
+
 @pytest.mark.parametrize(
     ("text", "conditions"),
     [
@@ -211,6 +227,7 @@ find: equilibrium
         (HELIX.replace("  push: {on: P, vector: F*e_rho}\n", ""), ["c/R <= mu"]),
         (SMOOTH, ["tan(theta)/2 <= mu_A"]),
         (ROUGH, ["(1 - mu_A*mu_B)*tan(theta) <= 2*mu_A"]),
+        (FROM_FLOOR, ["(1 - mu_A*mu_B)/(2*mu_A) <= tan(theta)"]),
         (COLLAR, ["h/(2*a) <= mu"]),
         (BOOK, ["W/(2*P) <= mu"]),
         (STACKED, ["F/(m*g) <= mu_1", "F/((M + m)*g) <= mu_2"]),
