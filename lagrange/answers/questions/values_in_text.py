@@ -351,6 +351,9 @@ def _between_answers(fragment: Fragment, questions: Sequence[Asked], reference: 
     """The verdict on an equation between several asked forces, N_A + N_B = m g; None if it is none, or not settled."""
     reading = read_as_written(fragment, reference.scope)
     used = set() if reading.error else {s for e in reading.components for s in e.free_symbols}
+    moving = {q for c in reference.candidates for q in c.configuration.slots.coordinates}
+    if any(base(s) in moving for s in used):
+        return None
     parameters = {*reference.parameters.values()}
     asked = [a for a in questions if a.question.quantity in used - parameters]
     values = [[v for b in a.branches for v in b.values] for a in asked]
