@@ -279,7 +279,7 @@ def asked_in_text(
 
     has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
-        fragment, questions = _at_its_place(fragment, every)
+        fragment, questions = _at_its_place(fragment, every, solution)
         fragment = _with_number_as_side(fragment)
         wider = with_definitions()
         if _is_condition(fragment, questions, reference) or _is_condition(fragment, questions, wider):
@@ -428,8 +428,8 @@ def _with_number_as_side(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
-def _at_its_place(fragment: Fragment, questions: list[Asked]) -> tuple[Fragment, list[Asked]]:
-    """`N(0) = ...` as N = ..., with the questions whose place is 0; unchanged if there are none."""
+def _at_its_place(fragment: Fragment, questions: list[Asked], solution: Solution) -> tuple[Fragment, list[Asked]]:
+    """`N(0) = ...` as N = ..., with the questions whose place, or time, is 0; unchanged if there are none."""
     stated = at_a_value(fragment)
     if stated is None:
         return fragment, questions
@@ -440,6 +440,9 @@ def _at_its_place(fragment: Fragment, questions: list[Asked]) -> tuple[Fragment,
         for c in a.question.when
         if any(c.lhs == q and c.rhs == value for q in c.lhs.free_symbols if base(q) == q)
     ]
+    if value == 0:  # theta''(0), where theta = alpha at the start
+        start = {(i.symbol, i.value) for i in solution.problem.initial}
+        there += [a for a in questions if a.question.when and all((c.lhs, c.rhs) in start for c in a.question.when)]
     return (stated[0], there) if there else (fragment, questions)
 
 

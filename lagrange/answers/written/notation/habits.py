@@ -23,6 +23,11 @@ from lagrange.expressions.edits import cuts
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
+_OF_COORDINATE = re.compile(
+    r"(?P<before>^|\n|\\\\|\\q?quad(?![A-Za-z])|\$|&|\\\[)\s*"
+    r"(?:\(\s*\\?[A-Za-z]+(?:_\w)?\s*\)\s*:?\s*\\q?quad(?![A-Za-z])|\\(?!q?quad)[A-Za-z]{2,10}(?:_\w)?\s*:(?![=:]))"
+)
+"""The coordinate that an equation belongs to, before it: `(\\varphi)\\quad`, `\\varphi:`."""
 _CONST = re.compile(r"(?<=\{)(\s*[Kk]onst|\s*const|\s*[Cc]st)\.\s*\}")
 _ADDED_CONST = re.compile(
     r"(?<=[-+−])\s*\\(?:text|textrm|mathrm|mbox|rm)\s*\{\s*(?:[Cc]onst(?:ant)?|[Kk]onst(?:ante)?|[Cc]st|cte)\.?\s*\}"
@@ -156,6 +161,7 @@ def in_usual_signs(text: str) -> str:
     if "\\" in text:
         text = _RATE_AT_IN_LINE.sub(lambda m: f"${m['place']}$: ${m['rate']}$", text)
         text = _RATE_AT.sub(lambda m: rf"{m['place']} \quad {m['rate']}", text)
+        text = _OF_COORDINATE.sub(lambda m: m["before"].ljust(len(m[0])), text)
         text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
         text = _CONST.sub(r"\1} ", text)
         text = _ADDED_CONST.sub(lambda m: " const".ljust(len(m[0])), text)
