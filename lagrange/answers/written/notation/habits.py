@@ -96,6 +96,9 @@ _FOR_ALL = re.compile(
     r"(?<=\s)(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\s+(?:if|when|for|where|provided(?:\s+that)?)(?=\s[^=]*=)"
 )
 """For which positions an equation between parameters holds: `(for every theta) W = c h`, `any theta if W = c h`."""
+_COLON_BEFORE_CONDITION = re.compile(r"^([^:\n<>≤≥]*=[^=:<>≤≥\n]{1,80}):(?=\s+[^:=\n]{1,60}[<>≤≥])", re.MULTILINE)
+_COLON_BEFORE_EQUATION = re.compile(r"^([^:\n]*[^:=\n]=[^=:\n]{1,120}):(?=\s+[^:=\n]{1,80}=(?!=))", re.MULTILINE)
+"""What separates an equation from the next one: `N_1 = W_1: F <= ...`, `\\ddot x = 0: T = m g`."""
 _MUST_BE = re.compile(
     r",?\s+(?:(?:which|this|it|and|das|dies)\s+)?(?:must|has\s+to|needs\s+to|should|muss|doit)\s+(?:(?:be|être)(?=\s*[<>≤≥])|(?=[<>≤≥]))"
 )
@@ -154,6 +157,10 @@ def in_usual_signs(text: str) -> str:
     text = _AT_REST.sub(_blank, text)
     text = _FOR_ALL.sub("", text)
     text = _MUST_BE.sub(_blank, text)
+    if ":" in text:
+        text = _COLON_BEFORE_CONDITION.sub(lambda m: m[0] if "\\" in m[0] else f"{m[1]};", text)
+    if ":" in text and "\\" in text and "$" not in text:
+        text = _COLON_BEFORE_EQUATION.sub(r"\1;", text)
     text = _HALF.sub("t_", text)
     text = _AT_PLACES.sub(lambda m: "; ".join(f"omega = {i.strip()}" for i in m["items"].split(";") if i.strip()), text)
     if "≈" in text or "approx" in text:
