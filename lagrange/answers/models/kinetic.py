@@ -328,8 +328,13 @@ def product_half_done(m: Mechanics) -> Iterator[Variation]:
     place = "d/dt of dT/dq': its coefficients change in time too"
     clause = "if d/dt of dT/dq' is carried out for the velocities alone, and not for their coefficients"
     yield Variation(clause, place, m.inertia(lambda i: replace(i, product=sp.S.Zero)))
-    clause = "if d/dt of the coefficients in dT/dq' is only half of what it is (2*r*r' for r^2)"
-    yield Variation(clause, place, m.inertia(lambda i: replace(i, product=HALF)))
+    if len(m.slots.coordinates) == 1:  # J(q) q'' = M, as for a constant J; half of J' q' and -1/2 J' q' are as much
+        q = m.slots.coordinates[0]
+        clause = f"if J in J*{q}'' = M were constant, as for a fixed axis; it depends on {q}"
+        yield Variation(clause, place, m.inertia(lambda i: replace(i, product=sp.S.Zero, gradient=sp.S.Zero)))
+    else:
+        clause = "if d/dt of the coefficients in dT/dq' is only half of what it is (2*r*r' for r^2)"
+        yield Variation(clause, place, m.inertia(lambda i: replace(i, product=HALF)))
     clause = "with the wrong sign of d/dt of the coefficients in dT/dq'"
     yield Variation(clause, place, m.inertia(lambda i: replace(i, product=sp.S.NegativeOne)))
     clause = "if the coefficients in dT/dq' did not depend on time"

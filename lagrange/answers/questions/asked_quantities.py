@@ -230,13 +230,14 @@ class AskedClaim:
             explained_balance,
             explained_by_first_acceleration,
             explained_by_free_fall,
+            explained_by_half_weight,
             explained_by_whole_weight,
             explained_instant,
             explained_uniform,
         )
 
         if value is not None:
-            for of_forces in (explained_by_free_fall, explained_by_whole_weight):
+            for of_forces in (explained_by_free_fall, explained_by_whole_weight, explained_by_half_weight):
                 yield of_forces(value, self.asked, self.candidates)
             yield self._of_nothing(value)
         yield self._of_another_body(stated, of)

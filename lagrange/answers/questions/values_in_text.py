@@ -31,11 +31,13 @@ import sympy as sp
 
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.limits import LETTERS_OF_STEM, LONGEST_RUN_OF_LETTERS
 from lagrange.answers.questions.asked_quantities import MAGNITUDES, check_asked, claims_of, with_stated_forces
 from lagrange.answers.questions.named_values import NOT_EQUAL, at_a_value, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written
 from lagrange.answers.written.joined_lines import has_sign_of_equality
 from lagrange.answers.written.judging import is_of_motion
 from lagrange.answers.written.lines import in_pairs
@@ -277,12 +279,15 @@ def asked_in_text(
 
     has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
-        fragment, questions = _at_its_place(fragment, every)
+        fragment, questions = _at_its_place(fragment, every, solution)
         fragment = _with_number_as_side(fragment)
         wider = with_definitions()
         if _is_condition(fragment, questions, reference) or _is_condition(fragment, questions, wider):
             continue
         left = spelled_out(fragment.text.partition("=")[0])
+        if (relation := _between_answers(fragment, questions, wider)) is not None:
+            parts.append(relation)
+            continue
         own = {n for n in scalars if n == label_of(fragment) or lines_with(n, [left])}  # of v(h) = a, v(t) = b each
         compared = [*_verdicts(fragment, questions, solution, reference)]
         for names in [with_definitions(own), wider] if own else [wider] if scalars else []:
@@ -298,6 +303,8 @@ def asked_in_text(
             for a in questions
             if _is_named(fragment, a) or _states_quantity(fragment, a, reference) or a.question.quantity in marked
         ]
+        exactly = [a.question.name for a in questions if str(a.question.quantity) == label_of(fragment)]
+        named = [name for name in named if name in exactly] or named  # N_B is not N_A
         named = [] if _NAMES_A_RATE.match(fragment.text) or is_used_beside(fragment, answer, reference) else named
         named = [] if _is_potential_energy(fragment, answer, wider) else named
         named = [] if has_frequencies and _FREQUENCY.match(fragment.text) else named
@@ -334,6 +341,37 @@ def asked_in_text(
     if whole is Verdict.WRONG:
         asked = with_stated_forces(asked, [(p.part, Fragment.of(p.text)) for p in parts], solution)
     return AskedInText(asked, tuple(rest), missing)
+
+
+_RELATION = "it is a relation between what is asked for"
+_FALSE_RELATION = "it does not hold between the right answers to the questions"
+
+
+def _between_answers(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> EquationVerdict | None:
+    """The verdict on an equation between several asked forces, N_A + N_B = m g; None if it is none, or not settled."""
+    reading = read_as_written(fragment, reference.scope)
+    used = set() if reading.error else {s for e in reading.components for s in e.free_symbols}
+    moving = {q for c in reference.candidates for q in c.configuration.slots.coordinates}
+    if any(base(s) in moving for s in used):
+        return None
+    parameters = {*reference.parameters.values()}
+    asked = [a for a in questions if a.question.quantity in used - parameters]
+    values = [[v for b in a.branches for v in b.values] for a in asked]
+    at_once = len({tuple((c.lhs, c.rhs) for c in a.question.when) for a in asked}) == 1
+    if len(asked) < 2 or not at_once or any(len(v) != 1 for v in values) or label_of(fragment):
+        return None
+    rule = {a.question.quantity: v for a, [v] in zip(asked, values, strict=True)} | dict(reference.values)
+    residuals = [e.xreplace(rule) for e in reading.components]
+    if any(not e.free_symbols <= parameters for e in residuals):
+        return None
+    try:
+        holds = [is_zero(as_written(e)) for e in residuals]
+    except DivisionByZeroError:
+        return None
+    text = " ".join(fragment.text.split())
+    if False in holds:
+        return EquationVerdict.of(text, Verdict.WRONG, _FALSE_RELATION)
+    return None if None in holds else EquationVerdict(text, Verdict.EQUIVALENT, "", (_RELATION,))
 
 
 _ELSEWHERE = "it is right for the place that is stated, at which it is not asked for"
@@ -390,8 +428,8 @@ def _with_number_as_side(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
-def _at_its_place(fragment: Fragment, questions: list[Asked]) -> tuple[Fragment, list[Asked]]:
-    """`N(0) = ...` as N = ..., with the questions whose place is 0; unchanged if there are none."""
+def _at_its_place(fragment: Fragment, questions: list[Asked], solution: Solution) -> tuple[Fragment, list[Asked]]:
+    """`N(0) = ...` as N = ..., with the questions whose place, or time, is 0; unchanged if there are none."""
     stated = at_a_value(fragment)
     if stated is None:
         return fragment, questions
@@ -402,6 +440,9 @@ def _at_its_place(fragment: Fragment, questions: list[Asked]) -> tuple[Fragment,
         for c in a.question.when
         if any(c.lhs == q and c.rhs == value for q in c.lhs.free_symbols if base(q) == q)
     ]
+    if value == 0:  # theta''(0), where theta = alpha at the start
+        start = {(i.symbol, i.value) for i in solution.problem.initial}
+        there += [a for a in questions if a.question.when and all((c.lhs, c.rhs) in start for c in a.question.when)]
     return (stated[0], there) if there else (fragment, questions)
 
 

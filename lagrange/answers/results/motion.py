@@ -278,6 +278,19 @@ def explained_by_whole_weight(claim: sp.Expr, asked: Asked, candidates: Sequence
     return ""
 
 
+def explained_by_half_weight(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether a wrong reaction is half of the weight, in a sentence; empty if not."""
+    quantity = asked.question.quantity
+    for candidate in candidates:
+        weights = [w.vector.fixed() for w in candidate.configuration.loads if w.name == "weight"]
+        if not weights or not (quantity in candidate.multipliers or quantity in candidate.meanings):
+            continue
+        total = sum(weights[1:], weights[0])
+        if is_zero(sp.expand(4 * claim**2 - total.dot(total))) is True:
+            return "this is half the weight, as one of two equal supports carries at rest"
+    return ""
+
+
 def _falls_freely(equation: sp.Expr, at: ModelState, count: int) -> bool:
     """Whether an equation follows from the equations of motion alone where all multipliers, the first unknowns, are
     zero."""

@@ -23,6 +23,11 @@ from lagrange.expressions.edits import cuts
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _LABELLED = re.compile(r"\\(?:stackrel|overset)\s?\{(?:[^{}]|\{[^{}]{0,30}\}){0,30}\}\s?\{\s?=\s?\}")
+_OF_COORDINATE = re.compile(
+    r"(?P<before>^|\n|\\\\|\\q?quad(?![A-Za-z])|\$|&|\\\[)\s*"
+    r"(?:\(\s*\\?[A-Za-z]+(?:_\w)?\s*\)\s*:?\s*\\q?quad(?![A-Za-z])|\\(?!q?quad)[A-Za-z]{2,10}(?:_\w)?\s*:(?![=:]))"
+)
+"""The coordinate that an equation belongs to, before it: `(\\varphi)\\quad`, `\\varphi:`."""
 _CONST = re.compile(r"(?<=\{)(\s*[Kk]onst|\s*const|\s*[Cc]st)\.\s*\}")
 _ADDED_CONST = re.compile(
     r"(?<=[-+−])\s*\\(?:text|textrm|mathrm|mbox|rm)\s*\{\s*(?:[Cc]onst(?:ant)?|[Kk]onst(?:ante)?|[Cc]st|cte)\.?\s*\}"
@@ -91,6 +96,9 @@ _FOR_ALL = re.compile(
     r"(?<=\s)(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\s+(?:if|when|for|where|provided(?:\s+that)?)(?=\s[^=]*=)"
 )
 """For which positions an equation between parameters holds: `(for every theta) W = c h`, `any theta if W = c h`."""
+_COLON_BEFORE_CONDITION = re.compile(r"^([^:\n<>≤≥]*=[^=:<>≤≥\n]{1,80}):(?=\s+[^:=\n]{1,60}[<>≤≥])", re.MULTILINE)
+_COLON_BEFORE_EQUATION = re.compile(r"^([^:\n]*[^:=\n]=[^=:\n]{1,120}):(?=\s+[^:=\n]{1,80}=(?!=))", re.MULTILINE)
+"""What separates an equation from the next one: `N_1 = W_1: F <= ...`, `\\ddot x = 0: T = m g`."""
 _MUST_BE = re.compile(
     r",?\s+(?:(?:which|this|it|and|das|dies)\s+)?(?:must|has\s+to|needs\s+to|should|muss|doit)\s+(?:(?:be|être)(?=\s*[<>≤≥])|(?=[<>≤≥]))"
 )
@@ -149,6 +157,10 @@ def in_usual_signs(text: str) -> str:
     text = _AT_REST.sub(_blank, text)
     text = _FOR_ALL.sub("", text)
     text = _MUST_BE.sub(_blank, text)
+    if ":" in text:
+        text = _COLON_BEFORE_CONDITION.sub(lambda m: m[0] if "\\" in m[0] else f"{m[1]};", text)
+    if ":" in text and "\\" in text and "$" not in text:
+        text = _COLON_BEFORE_EQUATION.sub(r"\1;", text)
     text = _HALF.sub("t_", text)
     text = _AT_PLACES.sub(lambda m: "; ".join(f"omega = {i.strip()}" for i in m["items"].split(";") if i.strip()), text)
     if "≈" in text or "approx" in text:
@@ -156,6 +168,7 @@ def in_usual_signs(text: str) -> str:
     if "\\" in text:
         text = _RATE_AT_IN_LINE.sub(lambda m: f"${m['place']}$: ${m['rate']}$", text)
         text = _RATE_AT.sub(lambda m: rf"{m['place']} \quad {m['rate']}", text)
+        text = _OF_COORDINATE.sub(lambda m: m["before"].ljust(len(m[0])), text)
         text = _LABELLED.sub(lambda m: "=".ljust(len(m[0])), text)
         text = _CONST.sub(r"\1} ", text)
         text = _ADDED_CONST.sub(lambda m: " const".ljust(len(m[0])), text)
