@@ -1,6 +1,6 @@
 """Minus signs in front of products that a sum in them takes: W (R − h) for −W (h − R), in formulas and in sentences.
 
-Like terms of frequencies in one: (M + m) g for M g + m g.
+Like terms of frequencies in one: (M + m) g for M g + m g. cot θ for cos θ/sin θ.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import sympy as sp
 
 from lagrange.document.derivation import Block, Display, Math, Mathematics, Part, Prose, Rule, Step
 from lagrange.mechanics.results import Solution
-from lagrange.mechanics.rewriting.factors import with_like_terms, with_turned_sum
+from lagrange.mechanics.rewriting.factors import in_cotangents, with_like_terms, with_turned_sum
 
 _AS_COMPUTED = (Rule.CONSTRAINT, Rule.PFAFFIAN_FORM, Rule.INTEGRABILITY, Rule.DISPLACEMENTS)
 """Forms and their coefficients, which tables and mixed derivatives repeat."""
@@ -31,7 +31,7 @@ def with_like_terms_in_one(solution: Solution, steps: Iterable[Step]) -> Iterato
 
 
 def with_turned_sums(steps: Iterable[Step]) -> Iterator[Step]:
-    """The steps with fewer minus signs in front of products."""
+    """The steps with fewer minus signs in front of products, and with cotangents."""
     for step in steps:
         yield step if step.rule in _AS_COMPUTED else replace(step, body=tuple(map(_block, step.body)))
 
@@ -47,4 +47,4 @@ def _part(p: Part) -> Part:
 
 
 def _side(side: Mathematics) -> Mathematics:
-    return with_turned_sum(side) if isinstance(side, sp.Expr) else side
+    return with_turned_sum(in_cotangents(side)) if isinstance(side, sp.Expr) else side
