@@ -35,3 +35,9 @@ def test_one_form(name: str, equation: str, why: str) -> None:
 
 def test_the_full_derivation_stays_as_it_was() -> None:
     assert any("│  l θ̈ + g sin θ = 0 " in line for line in printed("ex11-ideal-pendulum", Detail.FULL))
+
+
+def test_a_root_is_the_coordinate_at_rest() -> None:
+    text = " ".join(" ".join(printed("hill-moon")).split())
+    assert "with r at equilibrium, the equations of motion become ξ̈₁ − 2n r ξ̇₂ − 9n² ξ₁ = 0" in text
+    assert "r ξ̈₂ + 2n ξ̇₁ + 3n² r ξ₂ = 0" in text
