@@ -14,6 +14,7 @@ from lagrange.mechanics.rewriting.factors import (
     in_factors_where,
     letter_for,
     vector_with_factor,
+    with_signs,
     with_common_factor,
     with_factor,
     with_like_terms,
@@ -105,3 +106,13 @@ def test_cotangents() -> None:
     assert in_cotangents(w / 2 - n * sp.cos(theta) / sp.sin(theta)) == w / 2 - n * cot
     for other in (sp.cos(theta) ** 2 / sp.sin(theta), sp.cos(theta) / sp.sin(2 * theta), sp.cos(theta) * sp.sin(theta)):
         assert in_cotangents(other) == other
+
+
+def test_the_sign_of_what_is_divided_by() -> None:
+    s, m = sp.symbols("s m", real=True)
+    e = m * sp.Abs(sp.cos(s)) / sp.cos(s)
+    found, nonzero = with_signs(e)
+    assert nonzero == (sp.cos(s),)
+    assert found == m * sp.sign(sp.cos(s))
+    for other in (m * sp.Abs(sp.cos(s)), sp.Abs(sp.sin(s)) / sp.cos(s), m + s):
+        assert with_signs(other) == (other, ())

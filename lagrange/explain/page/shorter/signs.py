@@ -10,9 +10,21 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.derivation import Block, Display, Math, Mathematics, Part, Prose, Rule, Step
+from lagrange.document.derivation import (
+    Block,
+    Display,
+    Equation,
+    Math,
+    Mathematics,
+    Part,
+    Prose,
+    Rule,
+    Step,
+    listed,
+    math,
+)
 from lagrange.mechanics.results import Solution
-from lagrange.mechanics.rewriting.factors import in_cotangents, with_like_terms, with_turned_sum
+from lagrange.mechanics.rewriting.factors import in_cotangents, with_like_terms, with_signs, with_turned_sum
 
 _AS_COMPUTED = (Rule.CONSTRAINT, Rule.PFAFFIAN_FORM, Rule.INTEGRABILITY, Rule.DISPLACEMENTS)
 """Forms and their coefficients, which tables and mixed derivatives repeat."""
@@ -38,8 +50,18 @@ def with_turned_sums(steps: Iterable[Step]) -> Iterator[Step]:
 
 def _block(b: Block) -> Block:
     if isinstance(b, Display):
-        return b.map(lambda e: replace(e, sides=tuple(map(_side, e.sides))))
+        return b.map(lambda e: _with_signs(replace(e, sides=tuple(map(_side, e.sides)))))
     return replace(b, parts=tuple(map(_part, b.parts))) if isinstance(b, Prose) else b
+
+
+def _with_signs(e: Equation) -> Equation:
+    """N = m sgn(cos s) (...), where cos s ≠ 0."""
+    pairs = [with_signs(s) if isinstance(s, sp.Expr) else (s, ()) for s in e.sides]
+    nonzero = [x for _, signs in pairs for x in signs]
+    if not nonzero:
+        return e
+    where = ("where ", *listed(math(x, sp.S.Zero, relation="≠") for x in nonzero))
+    return replace(e, sides=tuple(s for s, _ in pairs), condition=e.condition or where)
 
 
 def _part(p: Part) -> Part:
