@@ -10,6 +10,8 @@ LONG_LATEX = 120
 (6.2 characters an em, counted in the rows of twelve shipped problems)."""
 LONG_MATHML = 12
 """Letters of a denominator that is too long to stay in one piece: about half of what a phone shows on a line."""
+LONGEST_EXPONENT = 20
+"""Characters of an exponent behind e^ in a terminal; exp(...) of a longer one is easier to read."""
 LONGEST_RATE = 8
 """Characters below which a quantity is written dp_θ/dt, and from which on d/dt (...)."""
 SHORT_MATHML = 20

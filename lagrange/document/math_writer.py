@@ -141,7 +141,7 @@ class Writer:
                 return self.style.partial(self.piece(inner), [v.name for v in variables])
             case TimeDerivative():
                 return self.style.rate(self.piece(expression.args[0]))
-            case sp.exp():
+            case sp.exp() if "e" not in self.notation.scalar_names or self.style is not UNICODE:
                 return self.style.exponential(self._argument(expression.args[0]))
             case sp.Abs():
                 return self.style.absolute(self._argument(expression.args[0]))

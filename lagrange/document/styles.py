@@ -15,7 +15,7 @@ from typing import ClassVar
 import sympy as sp
 from mpmath.libmp import prec_to_dps
 
-from lagrange.document.limits import LONGEST_RATE, USUAL_DIGITS
+from lagrange.document.limits import LONGEST_EXPONENT, LONGEST_RATE, USUAL_DIGITS
 from lagrange.document.names import (
     BREAK,
     END,
@@ -284,6 +284,11 @@ class Unicode(Text):
             return piece
         above = self.bracketed(numerator.code) if numerator.level <= Precedence.DIVISION else numerator.code
         return Piece(f"{START}{above}{BREAK}{piece.code.removeprefix(above)}{END}", Precedence.DIVISION)
+
+    def exponential(self, exponent: Piece) -> Piece:
+        """e^(μ β), or exp(...) of what is long."""
+        code = plain(exponent.code)
+        return self.power("e", exponent) if len(code) <= LONGEST_EXPONENT else super().exponential(exponent)
 
     def root(self, inner: Piece) -> Piece:
         """A square root."""

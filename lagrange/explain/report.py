@@ -44,7 +44,7 @@ from lagrange.explain.motion import (
 )
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.page.arrangement import steps_of_page, without_names_of_choices
-from lagrange.explain.page.forms import with_stated_equations
+from lagrange.explain.page.forms import in_forms_of_page
 from lagrange.explain.page.names import short_names
 from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
 from lagrange.explain.statement import explain_statement
@@ -170,7 +170,7 @@ def _explained(
         right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
         stated = stated_equations(solution) if right and solution.own.motion is not None else ()
         forces = stated_reactions(solution, answers)
-        shown = with_stated_equations(solution, stated)
+        shown = in_forms_of_page(solution, stated)
         again = steps if shown is solution else [s for s in _steps(make, shown, answers, complete) if s is not None]
         arranged = steps_of_page(shown, again, stated, forces, every_choice=every_choice)
         return without_names_of_choices(finished(arranged))

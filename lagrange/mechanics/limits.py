@@ -141,3 +141,6 @@ LONGEST_BY_ACCELERATIONS = 200
 
 LONGEST_PROJECTION = 20
 """Operations of one side of Newton's law along a reaction, beside the reaction itself."""
+
+MOST_GROUPED_TERMS = 40
+"""Terms of a polynomial that is written as a sum of products."""

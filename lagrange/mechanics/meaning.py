@@ -77,7 +77,7 @@ class ContactEnds:
 class ResultMeaning:
     """What the result says in one set of coordinates.
 
-    small  rest and small motion of one or two degrees of freedom; nothing where questions are about one motion
+    small  rest and small motion of one or two degrees of freedom; of one motion asked about, only where it begins
     terms  two terms of the first equation of motion, g/l like θ'', and the unit that all of its terms have
     constant  the accelerations, where all of them are constant; those that are, under a nonlinear constraint
     turning   two coordinates that run on a circle, or whose oscillation turns
@@ -145,8 +145,12 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     stated = view.linearization is not None or view.equilibrium is not None
     if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) > MOST_AT_REST:
         return None
-    if solution.problem.initial and (len(motion.equations) > 1 or solution.problem.questions):
-        return None  # it is about one motion
+    start = {v.symbol: v.value for v in solution.problem.initial}
+    about_one = bool(start and solution.problem.questions)
+    if start and (
+        len(motion.equations) > 1 or (about_one and any(start.get(v) != 0 for v in view.configuration.slots.velocities))
+    ):
+        return None  # it is about one motion, which does not begin at rest
     if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
         return None
     equations = motion.expressions
@@ -167,6 +171,8 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     if small is None or not small.complete:
         return None
     here = [k for k, b in enumerate(small.branches) if not (_is_let_go(solution, view, b) or _is_at_end(view, b))]
+    if about_one:  # the equilibrium in which the motion begins, if it does
+        here = [k for k in here if all(start.get(r.lhs) == r.rhs for r in small.branches[k].relations)]
     small = replace(small, branches=tuple(small.branches[k] for k in here), at=tuple(small.at[k] for k in here))
     return small if small.branches else None
 

@@ -18,7 +18,7 @@ from lagrange.document.scene import PagePoint, Scene, StrokeKind, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
-from lagrange.pictures.implied.body_shapes import with_implied_shapes
+from lagrange.pictures.implied.body_shapes import is_bar, with_implied_shapes
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
 from lagrange.pictures.loads import Acting, Arrows, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
@@ -223,6 +223,9 @@ def _outline(
         side = left_of(toward((0, 0), far))
         if all(abs(h[0] * side[0] + h[1] * side[1]) < 0.06 for h in held):
             sketch.capsule(start, end, 0.12)
+        elif is_bar(system, body.name):  # bent
+            for h in held:
+                sketch.capsule((0.0, 0.0), h, 0.12)
         else:
             reach = max(math.hypot(*h) for h in held) + 0.18
             way = toward((0, 0), far)

@@ -22,6 +22,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
+from lagrange.pictures.implied.nested_pulleys import nested_pulleys
 from lagrange.pictures.implied.turning_guides import turning_guides
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import circle_of, is_distance, relative_angle_mark
@@ -83,6 +84,8 @@ class Inferred:
         """Draw them."""
         if self.system.is_bare:
             self.strings()
+            with suppress(NoValueError):
+                self.machine()
             with suppress(NoValueError):
                 self.hanging()
             self.hangers()
@@ -232,8 +235,10 @@ class Inferred:
                 continue
             straight = [q for q, a in used.items() if a.is_number]
             if len(straight) == 1:
+                turning = next(q for q in used if q != straight[0])
                 with suppress(NoValueError):
-                    self._to_a_boom(straight[0], next(q for q in used if q != straight[0]), row.finite)
+                    if not self._around_cylinder(straight[0], turning):
+                        self._to_a_boom(straight[0], turning, row.finite)
                 continue
             pairs = [self._held_by(q) for q in used]
             if any(len(pair) != 1 for pair in pairs):
@@ -246,6 +251,40 @@ class Inferred:
                     case [one, other] if other == 2 * one:
                         order = sorted(zip(used, ends, strict=True), key=lambda e: abs(used[e[0]]))
                         self._under_pulley([v for _, v in order], [q for q, _ in order])
+
+    def machine(self) -> None:
+        """A weight and a moving pulley on one string, two weights on the string over that pulley."""
+        configuration, down = self.system.configuration, self.system.down
+        found = nested_pulleys(configuration, [r for r in self.system.newton.reactions if is_string(r)])
+        if found is None or down is None or not self.system.view.planar:
+            return
+        falls = toward((0.0, 0.0), self.system.page.way(self.pose.at(down)))
+        across, up = left_of(falls), scaled(falls, -1.0)
+        points = [p for q in found.held for p in configuration.points if not p.position.fixed().partial(q).is_zero]
+        ends = [self.at(p.position) for p in points]
+        start = self.system.page(self.pose.moved(found.weight, -self.pose.values[found.weight]).at(points[0].position))
+        deep = abs(self.pose.values[found.pulley]) * self.system.page.scale
+
+        def below(side: PagePoint, by: float) -> PagePoint:
+            """The point straight above or below another one, so far below the level of the upper pulley."""
+            return beyond(side, falls, inner((start[0] - side[0], start[1] - side[1]), falls) + by)
+
+        middle = ((ends[1][0] + ends[2][0]) / 2, (ends[1][1] + ends[2][1]) / 2)
+        axle, corner = below(middle, deep), below(middle, 0.0)
+        small, large = abs(inner((ends[1][0] - middle[0], ends[1][1] - middle[1]), across)), apart(start, corner) / 2
+        if any(inner((e[0] - axle[0], e[1] - axle[1]), falls) < small for e in ends[1:]) or deep < large:
+            return
+        pairs = [(start, ends[0]), (corner, axle), *((below(e, deep), e) for e in ends[1:])]
+        for pair in pairs:
+            self.sketch.line([*pair], StrokeKind.STRING)
+            self.busy.append(pair)
+        top = ((start[0] + corner[0]) / 2, (start[1] + corner[1]) / 2)
+        for centre, radius in ((top, large), (axle, small)):
+            self.sketch.circle(centre, radius, 1)
+            self.sketch.dot(centre, 0.6 * HINGE, open_=True)
+        hook = beyond(top, up, large + PULLEY)
+        self.sketch.line([top, hook], StrokeKind.LINK)
+        self.sketch.wall(hook, falls, 0.6)
 
     def _held_by(self, q: sp.Symbol) -> list[MassPoint]:
         """What hangs on the part of a string whose length is q: weights, or the massless point which q alone moves."""
@@ -329,6 +368,30 @@ class Inferred:
             self.sketch.dot(centre, 0.6 * HINGE, open_=True)
         for held in (*hooks, beyond(level, side, -PULLEY)):
             self.sketch.wall(held, (-up[0], -up[1]), 0.45)
+
+    def _around_cylinder(self, straight: sp.Symbol, turning: sp.Symbol) -> bool:
+        """A string that leaves a circle straight, and lies on it as far as a particle that moves there."""
+        points = self.system.configuration.points
+        hung = [p for p in points if not p.position.fixed().partial(straight).is_zero]
+        moving = [p for p in points if not p.position.fixed().partial(turning).is_zero]
+        if len(hung) != 1 or len(moving) != 1 or hung == moving or not self.system.view.planar:
+            return False
+        mark = circle_of(self.pose, turning, moving[0].position)
+        if mark is None:
+            return False
+        centre, at, bottom = self.system.page(mark.centre), self.at(moving[0].position), self.at(hung[0].position)
+        [top] = self._tops([hung[0].position], [straight])
+        radius = apart(centre, at)
+        touches = abs(inner(toward(top, bottom), toward(centre, top))) < SAME_ON_PAGE
+        if abs(apart(centre, top) - radius) > SAME_ON_PAGE or not touches:
+            return False
+        start, end = (math.atan2(p[1] - centre[1], p[0] - centre[0]) for p in (at, top))
+        turn = math.remainder(end - start, 2 * math.pi)
+        ways = (start + turn * n / 24 for n in range(25))
+        string = [(centre[0] + radius * math.cos(a), centre[1] + radius * math.sin(a)) for a in ways]
+        self.sketch.line([*string, bottom], StrokeKind.STRING)
+        self.busy.append((top, bottom))
+        return True
 
     def _to_a_boom(self, straight: sp.Symbol, turning: sp.Symbol, finite: sp.Expr) -> None:
         """A rope from a weight over a fixed pulley to a point that swings, at a distance that is a root."""

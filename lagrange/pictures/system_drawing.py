@@ -25,7 +25,7 @@ from lagrange.pictures.blocks import FLOOR, WALL, Blocks, is_vehicle, mark_slope
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
-from lagrange.pictures.implied.body_shapes import has_axle, with_implied_shapes
+from lagrange.pictures.implied.body_shapes import has_axle, is_bar, with_implied_shapes
 from lagrange.pictures.implied.curves import ConstraintCurves
 from lagrange.pictures.implied.guides import couplers, cylinders_touched, hoops, struts
 from lagrange.pictures.implied.halves import halves
@@ -444,6 +444,10 @@ class _Drawing:
             a, b = farthest([centre, *held])
             self.sketch.capsule(a, b, 0.12)
             self.busy.append((a, b))
+        elif held and is_bar(self.system, p.name):  # bent
+            for end in held:
+                self.sketch.capsule(centre, end, 0.12)
+                self.busy.append((centre, end))
         elif len(held) == 2:
             self.on_two_feet(p.name, centre, held)
         elif held:

@@ -29,6 +29,7 @@ from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, value
 from lagrange.pictures.implied.lettered import with_lettered_points
+from lagrange.pictures.implied.nested_pulleys import hung_side_by_side, nested_pulleys
 from lagrange.pictures.implied.rods_at_rest import RodAtRest, is_possible, with_letters
 from lagrange.pictures.implied.senses import BOWL
 from lagrange.pictures.implied.side_by_side import beside
@@ -445,8 +446,11 @@ def _system(
     falls = (
         solution.problem.gravity if ROPE.search(f"{solution.problem.title} {solution.problem.description}") else None
     )
-    sprung = springs_of_potentials(solution.problem, beside(configuration, strings, falls))
-    pose = replace(pose, values={**pose.values, **sprung.shown}) if not figure.at else pose
+    machine = nested_pulleys(configuration, strings)
+    hung = beside(configuration, strings, falls) if machine is None else hung_side_by_side(configuration, machine)
+    sprung = springs_of_potentials(solution.problem, hung)
+    shown = machine.values(configuration, falls) if machine is not None and falls is not None else sprung.shown
+    pose = replace(pose, values={**pose.values, **shown}) if not figure.at else pose
     own = beside(solution.own.configuration, strings, falls)
     problem, rods = with_letters(solution.problem, pose)
     problem = problem if rods else with_lettered_points(problem, pose)

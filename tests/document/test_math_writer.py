@@ -124,7 +124,7 @@ SPELLED = [
     (sin(cos(x)), "sin(cos(x))", "sin(cos x)", r"\sin(\cos x)"),
     (sp.asin(x) ** 2, "asin(x)^2", "(arcsin x)²", r"(\arcsin x)^{2}"),
     (sp.log(x) ** 2, "log(x)^2", "(ln x)²", r"(\ln x)^{2}"),
-    (sp.exp(-gamma * t), "exp(-gamma*t)", "exp(−γ t)", r"\mathrm{e}^{-\gamma t}"),
+    (sp.exp(-gamma * t), "exp(-gamma*t)", "e^(−γ t)", r"\mathrm{e}^{-\gamma t}"),
     (sp.Abs(x), "abs(x)", "|x|", r"\lvert x \rvert"),
     (sp.sign(D(x)), "sign(x')", "sgn(ẋ)", r"\operatorname{sgn}(\dot{x})"),
     (sp.atan2(y, x), "atan2(y, x)", "atan2(y, x)", r"\operatorname{atan2}(y, x)"),
@@ -433,4 +433,6 @@ def test_roots_that_may_both_be_imaginary_stay_apart():
 
 def test_a_constant_exponential_belongs_to_the_fraction():
     mu, beta, r = sp.symbols("mu beta r", positive=True)
-    assert unicode(r * sp.exp(mu * beta) / (sp.exp(mu * beta) - 1)) == "r exp(μ β)/[exp(μ β) − 1]"
+    assert unicode(r * sp.exp(mu * beta) / (sp.exp(mu * beta) - 1)) == "r e^(μ β)/[e^(μ β) − 1]"
+    assert unicode(sp.exp(-sum(sp.symbols("a_1:9")))).startswith("exp(−")  # long
+    assert unicode(sp.exp(mu), Notation(scalar_names=frozenset({"e"}))) == "exp(μ)"

@@ -23,7 +23,7 @@ def test_functions(name):
     if name == "exp":
         assert (text(function(x)), unicode(function(x)), latex(function(x))) == (
             "exp(x)",
-            "exp(x)",
+            "e^x",
             r"\mathrm{e}^{x}",
         )
         return

@@ -181,3 +181,34 @@ def test_both_links_of_a_toggle_are_drawn() -> None:
         "find: equilibrium\n"
     )
     assert len(lines_of(sketched("Two links", text), StrokeKind.ROD)) == 2
+
+
+OVER = (
+    "parameters: [m, M, a, L, g]\ncoordinates: [q, y]\nparticles:\n  P: {mass: m, position: a*sin(q)*i - a*cos(q)*j}\n"
+    "  load: {mass: M, position: OFFSET*i + y*j}\nconstraints:\n"
+    '  string: {equation: "y + a*(pi/2 - q) = L"}\n'
+)
+
+
+@pytest.mark.parametrize(("offset", "strings"), [("a", 1), ("2*a", 0)])
+def test_a_string_lies_on_a_cylinder_and_leaves_it_straight(offset: str, strings: int) -> None:
+    """From the particle over the cylinder to the load, where that hangs on its side."""
+    scene = drawn("Particle on a cylinder", OVER.replace("OFFSET", offset))
+    found = [line for line in scene.lines if line.kind is StrokeKind.STRING]
+    assert len(found) == strings
+    for line in found:
+        assert line.points[-1][1] < min(y for _, y in line.points[:-1])  # the load is lowest
+
+
+def test_a_bent_arm_is_no_ellipse() -> None:
+    text = (
+        "parameters: [m, I, b, h, c, g]\ncoordinates: [q, x, y]\nbodies:\n"
+        "  NAME: {mass: m, inertia: I, position: 0*i, angle: q}\n"
+        "particles: {P: {mass: m, position: x*i + y*j}}\nconstraints:\n"
+        '  one: {equation: "dot(r_NAME + b*e1_NAME + h*e2_NAME - r_P, r_NAME + b*e1_NAME + h*e2_NAME - r_P) = c^2"}\n'
+        "forces: {s: {spring: m*g/c, between: [r_NAME + b*e1_NAME - h*e2_NAME, 3*i], length: c}}\n"
+    )
+    capsules, ellipse = (
+        [line for line in drawn("Two bodies", text.replace("NAME", name)).lines if line.closed] for name in ("arm", "Q")
+    )
+    assert len(capsules) > len(ellipse)

@@ -6,7 +6,19 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose, series
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    prose,
+    series,
+)
 from lagrange.explain.words import (
     capital,
     constraints_called,
@@ -124,6 +136,9 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
     if rest.assumed:
         positive = series((math(e, ZERO, relation=">"),) for e in rest.assumed)
         yield prose("In what follows ", *positive, plural(len(rest.assumed), " is assumed.", " are assumed."))
+    if rest.bounds:
+        yield prose("With the forces put in, the bounds that do not hold by themselves are")
+        yield display(*(_turned(c, {*rest.open}) for c in rest.bounds))
     if not rest.cases:
         yield prose("No admissible forces satisfy the bounds: the system cannot be at rest.", detail=Detail.BRIEF)
         return
@@ -135,11 +150,16 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
     if several:
         yield prose("The system can be at rest in one of the following cases, in which all the conditions hold:")
     else:
-        yield prose("The system can be at rest if and only if" if not rest.equations else "and, in addition,")
+        so = (*listed(math(f) for f in rest.open), " exists, and so the system can be at rest, if and only if")
+        words = ("Such a force ", *so) if rest.bounds else ("The system can be at rest if and only if",)
+        yield prose(*(words if not rest.equations else ("and, in addition,",)))
     for n, case in enumerate(rest.cases, start=1):
         number = f"-{n}" if several else ""
         lines = [_line(c, f"rest{suffix}{number}-{k}") for k, c in enumerate(case, start=1)]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if rest.always is not None:
+        c = rest.always
+        yield prose("It holds in every position if ", math(c.right, c.left, relation="≥"), ".")
     if rest.unexamined:
         where = series(((math(e, ZERO),) for e in rest.unexamined), " or ")
         yield prose("Whether it can be at rest where exactly ", *where, " is not examined.")
@@ -154,6 +174,12 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
 
 def _line(condition: RestCondition, label: str) -> Equation:
     return Equation((condition.left, condition.right), relation=condition.relation, label=label)
+
+
+def _turned(c: RestCondition, forces: set[sp.Symbol]) -> Equation:
+    """A bound with the force on the left side: (ν + cot θ) N ≥ W/2."""
+    above = bool(c.right.free_symbols & forces)
+    return Equation((c.right, c.left) if above else (c.left, c.right), relation="≥" if above else c.relation)
 
 
 def explain_rolling(rolling: Rolling) -> Step:
@@ -203,13 +229,19 @@ def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton, name: 
     return Step(Rule.FRICTION_AT_REST, title_in("Impending motion", name), tuple(body))
 
 
+def _named(c: RoughContact, m: ImpendingMotion) -> tuple[Part, ...]:
+    """The name of a contact, where there are several."""
+    return (f" ({spoken(c.name)})",) if len(m.contacts) > 1 else ()
+
+
 def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[Block]:
     conditions = (*(c.expression for c in m.equilibrium.conditions), *m.equilibrium.laws)
     if newton.reactions:
         slips = series(
-            (f"at {spoken(c.name)} along ", math(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts
+            ("along ", math(c.tangents[0] * sp.Integer(-m.senses[c.name])), *_named(c, m)) for c in m.contacts
         )
-        yield prose(*(("With slip ", *slips, " the") if m.contacts else ("The",)), " equations of balance give")
+        yield prose(*(("With slip impending ", *slips, ", the") if m.contacts else ("The",)),
+                    " equations of balance give")  # fmt: skip
         yield display(*(Equation((r.force, m.pressed[r.name])) for r in newton.reactions))
         among = ", with the friction among the applied forces," if m.contacts else ""
         yield prose(f"so that{among} the conditions of equilibrium are" if conditions else "No condition is left.")

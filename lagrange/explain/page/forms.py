@@ -1,4 +1,8 @@
-"""Which form of the equations of motion a page derives: that of the file's answers, where the result has it."""
+"""The solution in the forms that a page derives.
+
+Equations of motion have the form of the file's answers, where the result at the head of the page has it. Linear
+equations about an equilibrium contain the coordinate itself instead of a root that is its value.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +14,27 @@ from lagrange.explain.page.motion import ends_with_speeds
 from lagrange.explain.page.result import is_better
 from lagrange.explain.page.surfaces import on_surface
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.equilibrium_values import by_coordinates
 from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, in_names
 from lagrange.mechanics.rewriting.stated_form import in_stated_form
 
 
-def with_stated_equations(solution: Solution, stated: StatedEquations) -> Solution:
+def in_forms_of_page(solution: Solution, stated: StatedEquations) -> Solution:
+    """The solution with the equations as a page has them; itself if it has them already."""
+    return _with_values(_with_stated_equations(solution, stated))
+
+
+def _with_values(solution: Solution) -> Solution:
+    """With the coordinates in linear equations about equilibria at which they are roots."""
+    own = by_coordinates(solution.own)
+    found = tuple(by_coordinates(c) for c in solution.choices)
+    choices = tuple(c if f is None else f for c, f in zip(solution.choices, found, strict=True))
+    if own is None and not any(found):
+        return solution
+    return replace(solution, own=own or solution.own, choices=choices)
+
+
+def _with_stated_equations(solution: Solution, stated: StatedEquations) -> Solution:
     """The solution with the stated equations where they are derived, if the result at the head of the page has them."""
     in_other_words = on_surface(solution) is not None or linked_particles.linked(solution) is not None
     if not stated or in_other_words or ends_with_speeds(solution) or in_names(solution, stated) != stated:

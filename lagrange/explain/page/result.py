@@ -192,8 +192,11 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         kept[rule] = _where_held(kept.get(rule, []), held)
     equations = kept[Rule.EQUATIONS_OF_MOTION]
     if equations and view.motion is not None and view.motion.final:
-        solved = [Equation(pair) for pair in constant_accelerations(view).items()]
-        whole = len(solved) == len(view.configuration.slots.accelerations)
+        values = constant_accelerations(view)
+        whole = len(values) == len(view.configuration.slots.accelerations)
+        box = Step(Rule.RESULT, "", (display(*(Equation(pair) for pair in values.items()), boxed=True),))
+        [block] = with_named_denominators(box, {*solution.problem.scope.names()}).body
+        solved = [*block.equations] if isinstance(block, Display) else []
         through_rates = () if view.is_own else view.coordinates.through_rates  # the angle of a rolling wheel
         known = {*held, *(prime(q, 2) for q in through_rates)}
         unknown = [e for e in solved if e.sides[0] not in known] or solved

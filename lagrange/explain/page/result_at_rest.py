@@ -193,6 +193,9 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
             moving = {*view.configuration.slots.coordinates}
             forces = [e for e in lines if not any(moving & s.free_symbols for s in e.sides if isinstance(s, sp.Expr))]
             lines = [replace(e, condition=()) for e in forces] or lines
+        if rest is not None and rest.always is not None:
+            c = rest.always
+            lines = [replace(e, condition=("for ", math(c.right, c.left, relation="<"))) for e in lines]
         if rest is not None:  # each of them, since in general the forces have other values
             lines = [replace(e, condition=("at the limit", *((", ", *e.condition) if e.condition else ())))
                      for e in lines]  # fmt: skip

@@ -118,8 +118,15 @@ def _moved(point: MassPoint, by: Sequence[sp.Expr]) -> Vector:
     total = Vector.zero(point.position.triad)
     for partial, step in zip(point.partials, by, strict=True):
         if step != 0:
-            total = total + partial * step
+            total = total + partial.map(_over_one_denominator) * step
     return total
+
+
+def _over_one_denominator(e: sp.Expr) -> sp.Expr:
+    """−a (3 − sin²s) sin s/(1 + sin²s)² for a sum of fractions; anything else as it is."""
+    if not e.is_Add or not any(p.exp.is_negative and p.base.is_Add for p in e.atoms(sp.Pow)):
+        return e
+    return min(e, textbook_form(e), key=count_operations)
 
 
 def displaced_force(load: Load, slots: Slots) -> Vector:

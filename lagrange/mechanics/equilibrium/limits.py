@@ -176,3 +176,6 @@ SAME_IN_MODES = 1e-9
 
 LONGEST_POTENTIAL = 25
 """Operations of a potential energy that is written out beside its second derivative."""
+
+MOST_BOUNDS = 4
+"""Bounds of the only open force of a statically indeterminate system that a page writes down."""

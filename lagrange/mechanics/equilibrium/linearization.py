@@ -33,6 +33,7 @@ from lagrange.algebra.closed_forms.eigenmodes import (
     without_minus,
 )
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero, kept_surface
 from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
 from lagrange.core.expression_size import count_operations
@@ -165,6 +166,21 @@ class Linearization:
     copies: tuple[Copy | None, ...] = ()
     decay: sp.Symbol = field(default=DELTA)
     omitted: tuple[int, ...] = ()
+
+    def square_where_stable(self, branch: Branch, s: SmallOscillations) -> sp.Expr | None:
+        """The only ω² about a branch, with its value at the points at which it is stable, if that is the same."""
+        square = s.frequencies[0].square if len(s.frequencies) == 1 else None
+        if square is None:
+            return None
+        read = self.equilibrium.solution.letters.read
+        try:
+            conditions = [(read(c.lhs - c.rhs), c.relation == ">") for c in s.judgement.stability.conditions]
+            value = read(square)
+        except NotAlgebraicError:
+            return square
+        points = [p for p in branch.points if all((e.xreplace(dict(p)) > 0) == above for e, above in conditions)]
+        values = {sp.factor_terms(value.xreplace(dict(p))) for p in points}
+        return values.pop() if len(values) == 1 else square
 
     def copy_of(self, n: int) -> Copy | None:
         """The earlier equilibrium that the nth one, counted from 0, is a copy of."""

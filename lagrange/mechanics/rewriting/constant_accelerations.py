@@ -26,6 +26,7 @@ from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.limits import LONGEST_CONSTANT
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.quasi_velocities import squares_by_constraints
+from lagrange.mechanics.rewriting.sums_of_products import in_products
 
 
 def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
@@ -54,6 +55,7 @@ def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
     pairs = zip(slots.accelerations, accelerations, strict=True)
     solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
     solved = _shorter(solved, _one_by_one(equations, slots.accelerations))
+    solved = {a: in_products(x) for a, x in solved.items()}
     return solved if sum(count_operations(x) for x in solved.values()) <= LONGEST_CONSTANT else {}
 
 

@@ -127,6 +127,33 @@ def with_like_terms(e: sp.Expr, letters: Collection[sp.Expr]) -> sp.Expr:
     return with_like_terms(sp.Add(sp.Mul(rest, sp.Add(*shared)), *others), letters)
 
 
+def in_cotangents(e: sp.Expr) -> sp.Expr:
+    """The expression with cot θ for cos θ/sin θ, where no other power of either is in the product."""
+    if not e.has(sp.cos) or not e.has(sp.sin):
+        return e
+
+    def product(p: sp.Expr) -> sp.Expr:
+        factors = list(p.args)
+        for f in p.args:
+            if isinstance(f, sp.cos) and 1 / sp.sin(f.args[0]) in factors:
+                factors = [g for g in factors if g not in (f, 1 / sp.sin(f.args[0]))] + [sp.cot(f.args[0])]
+        return sp.Mul(*factors, evaluate=False) if len(factors) < len(p.args) else p
+
+    return e.replace(lambda x: x.is_Mul and not isinstance(x, sp.MatrixExpr), product)
+
+
+def with_signs(e: sp.Expr) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
+    """sgn x for |x|/x, and the x: they must not vanish."""
+    if not e.is_Mul or not e.has(sp.Abs):
+        return e, ()
+    factors, signs = list(e.args), list[sp.Expr]()
+    for f in e.args:
+        if isinstance(f, sp.Abs) and 1 / f.args[0] in factors:
+            factors = [g for g in factors if g not in (f, 1 / f.args[0])]
+            signs.append(f.args[0])
+    return (sp.Mul(*factors, *map(sp.sign, signs), evaluate=False), tuple(signs)) if signs else (e, ())
+
+
 def with_turned_sum(e: sp.Expr) -> sp.Expr:
     """Products without a minus sign in front where a sum or the angle of a sine takes it: W (R − h) for −W (h − R).
 

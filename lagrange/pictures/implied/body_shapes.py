@@ -134,6 +134,11 @@ def words_for(system: SystemPicture, name: str) -> str:
     return " ".join([own, *before, *([system.problem.title] if alone else [])])
 
 
+def is_bar(system: SystemPicture, name: str) -> bool:
+    """Whether a body is called a rod, an arm or a lever."""
+    return bool(_BAR.search(words_for(system, name)))
+
+
 def _unknown(system: SystemPicture, p: MassPoint, rotation: Rotation, called: str) -> BodyShape | None:
     """The shape of a body whose moment of inertia tells none: a pulley under its string, or what it is called."""
     radius, touching = _rim(system, rotation), system.shapes[p.name].radius

@@ -35,3 +35,18 @@ def test_one_form(name: str, equation: str, why: str) -> None:
 
 def test_the_full_derivation_stays_as_it_was() -> None:
     assert any("│  l θ̈ + g sin θ = 0 " in line for line in printed("ex11-ideal-pendulum", Detail.FULL))
+
+
+def test_a_root_is_the_coordinate_at_rest() -> None:
+    text = " ".join(" ".join(printed("hill-moon")).split())
+    assert "with r at equilibrium, the equations of motion become ξ̈₁ − 2n r ξ̇₂ − 9n² ξ₁ = 0" in text
+    assert "r ξ̈₂ + 2n ξ̇₁ + 3n² r ξ₂ = 0" in text
+
+
+def test_the_bead_on_a_figure_of_eight() -> None:
+    """On the wire the length of the gradient has one short root; the crossing is excepted; both lowest points alike."""
+    text = " ".join(" ".join(printed("bead-on-lemniscate")).split())
+    assert "[x (2x² + 2y² − a²) N/(a² √(x² + y²))] 𝐢" in text
+    assert "δ𝐫 = −[a (3 − sin²s) sin s/(1 + sin²s)²] δs 𝐢" in text
+    assert "N = m sgn(cos s) [g (2 + cos²s) sin s − 3a ṡ² cos s]/(1 + sin²s)^(3/2) where cos s ≠ 0" in text
+    assert text.count("Small motion: ω² = 3√2 g/(2a) where it is stable.") == 1

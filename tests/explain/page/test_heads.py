@@ -28,7 +28,7 @@ def page(name: str) -> str:
         ("ex09-moving-surface", "│ ∇f·δ𝐫 = 0 │ │ d𝐫 = δ𝐫 + u dt 𝐢 │"),
         ("ex11-ideal-pendulum", "│ T = m l θ̇² + m g cos θ │"),
         ("bifilar-suspension", "the equilibrium and the reaction:"),
-        ("servo", "│ x = C exp(−κ t) − v/κ + v t │"),
+        ("servo", "│ x = C e^(−κ t) − v/κ + v t │"),
     ],
 )
 def test_the_head_answers_the_question(name: str, head: str) -> None:

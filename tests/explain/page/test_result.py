@@ -43,7 +43,7 @@ def box(r: Report) -> str:
         ("ballistic-pendulum", ("S_rod = S_caught₂ = 0",)),
         ("door-closer", ("a c h (1 − l/d) sin θ = 0", "d² = a² + h² − 2a h cos θ")),
         ("rolling-without-slip", ("ẍ = ⅔ g sin α", "F = ⅓ m g sin α")),
-        ("double-atwood", ("= (m₁ − M − m₂ − m₃) g",)),  # whose accelerations are longer
+        ("double-atwood", ("β̈ = (m₃ − m₂) g r (2m₁ R² + I₁)/Δ", "Δ = [I₁ + (M + m₁) R²] [I₂ + (m₂ + m₃) r²]")),
     ],
 )
 def test_the_box_contains_what_is_asked(name: str, contained: tuple[str, ...]) -> None:

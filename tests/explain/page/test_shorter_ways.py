@@ -102,7 +102,7 @@ def test_friction_is_tried_where_something_slides() -> None:
         ("cycloidal-pendulum", "𝐑·𝐧 = m cos(φ/2) (a φ̇² + g)"),
         ("appell-hamel", "│ z̈ = −g/(a² + 1) │"),
         ("parallel-skates", "Accelerations: none; every coordinate changes uniformly."),
-        ("servo", "x = C exp(−κ t) − v/κ + v t"),
+        ("servo", "x = C e^(−κ t) − v/κ + v t"),
         ("rocket", "As before, (9) holds."),
         ("triatomic-molecule", "The particles A, B and C have the masses m, M and m"),
         ("bead-on-lemniscate", "Where x = y = 0, the form (3) vanishes and restricts nothing; (2) itself still holds."),

@@ -9,10 +9,12 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.rewriting.factors import (
     has_common_factor,
     has_one_sign,
+    in_cotangents,
     in_factors,
     in_factors_where,
     letter_for,
     vector_with_factor,
+    with_signs,
     with_common_factor,
     with_factor,
     with_like_terms,
@@ -96,3 +98,21 @@ def test_terms_that_differ_in_a_letter_are_one() -> None:
     for kept in (M + m, M * g + 2 * m * g * l, M * x + M * x**2, M * g + c * l):
         assert with_like_terms(kept, letters) == kept
     assert sp.expand(with_like_terms(M * g * l - m * g * l + c, letters) - (M * g * l - m * g * l + c)) == 0
+
+
+def test_cotangents() -> None:
+    theta, n, w = sp.symbols("theta N W", real=True)
+    cot = sp.cot(theta)
+    assert in_cotangents(w / 2 - n * sp.cos(theta) / sp.sin(theta)) == w / 2 - n * cot
+    for other in (sp.cos(theta) ** 2 / sp.sin(theta), sp.cos(theta) / sp.sin(2 * theta), sp.cos(theta) * sp.sin(theta)):
+        assert in_cotangents(other) == other
+
+
+def test_the_sign_of_what_is_divided_by() -> None:
+    s, m = sp.symbols("s m", real=True)
+    e = m * sp.Abs(sp.cos(s)) / sp.cos(s)
+    found, nonzero = with_signs(e)
+    assert nonzero == (sp.cos(s),)
+    assert found == m * sp.sign(sp.cos(s))
+    for other in (m * sp.Abs(sp.cos(s)), sp.Abs(sp.sin(s)) / sp.cos(s), m + s):
+        assert with_signs(other) == (other, ())

@@ -49,7 +49,7 @@ def explain_rest(small: Linearization) -> Iterator[Block]:
         rest = ("; " if shown else "", f"{in_words(len(unstable), '').split()[0]} {others} are unstable")
     called = "At rest in the turning system" if small.driven else "At rest"
     yield prose(Emphasis(called), ": ", *_joined(shown), *rest, ".", purpose=Purpose.AT_REST)
-    yield from motions
+    yield from dict.fromkeys(motions)
 
 
 def _is_implied(branch: Branch, at: SmallOscillations) -> bool:
@@ -68,7 +68,7 @@ def _motion(small: Linearization, branch: Branch, at: SmallOscillations) -> Iter
     if len(small.displacements) == 1:
         period = _period(at)
         if period is None:
-            yield from _where_stable(small, at)
+            yield from _where_stable(small, branch, at)
         if period is None or len(branch.relations) != 1:
             return
         [xi], [relation] = small.displacements, branch.relations
@@ -89,15 +89,13 @@ def _motion(small: Linearization, branch: Branch, at: SmallOscillations) -> Iter
     yield prose(Emphasis("Small motion"), *words, purpose=Purpose.SMALL_MOTION)
 
 
-def _where_stable(small: Linearization, at: SmallOscillations) -> Iterator[Block]:
+def _where_stable(small: Linearization, branch: Branch, at: SmallOscillations) -> Iterator[Block]:
     """`Small motion: ω² = (k − m Ω²)/m where it is stable`, of a frequency in terms of parameters."""
-    squares = [f.square for f in at.frequencies]
     conditional = at.judgement.stability.verdict is StabilityVerdict.CONDITIONAL and at.oscillates
-    if not conditional or len(squares) != 1 or squares[0] is None:
-        return
+    square = small.square_where_stable(branch, at) if conditional else None
     moving = {*small.configuration.slots.coordinates}
-    if not squares[0].free_symbols & moving and count_operations(squares[0]) <= LONGEST_FREQUENCY:
-        omega = math(small.omega**2, squares[0])
+    if square is not None and not square.free_symbols & moving and count_operations(square) <= LONGEST_FREQUENCY:
+        omega = math(small.omega**2, square)
         yield prose(Emphasis("Small motion"), ": ", omega, " where it is stable.", purpose=Purpose.SMALL_MOTION)
 
 

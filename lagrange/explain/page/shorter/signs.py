@@ -1,6 +1,6 @@
 """Minus signs in front of products that a sum in them takes: W (R − h) for −W (h − R), in formulas and in sentences.
 
-Like terms of frequencies in one: (M + m) g for M g + m g.
+Like terms of frequencies in one: (M + m) g for M g + m g. cot θ for cos θ/sin θ.
 """
 
 from __future__ import annotations
@@ -10,9 +10,21 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.derivation import Block, Display, Math, Mathematics, Part, Prose, Rule, Step
+from lagrange.document.derivation import (
+    Block,
+    Display,
+    Equation,
+    Math,
+    Mathematics,
+    Part,
+    Prose,
+    Rule,
+    Step,
+    listed,
+    math,
+)
 from lagrange.mechanics.results import Solution
-from lagrange.mechanics.rewriting.factors import with_like_terms, with_turned_sum
+from lagrange.mechanics.rewriting.factors import in_cotangents, with_like_terms, with_signs, with_turned_sum
 
 _AS_COMPUTED = (Rule.CONSTRAINT, Rule.PFAFFIAN_FORM, Rule.INTEGRABILITY, Rule.DISPLACEMENTS)
 """Forms and their coefficients, which tables and mixed derivatives repeat."""
@@ -31,15 +43,25 @@ def with_like_terms_in_one(solution: Solution, steps: Iterable[Step]) -> Iterato
 
 
 def with_turned_sums(steps: Iterable[Step]) -> Iterator[Step]:
-    """The steps with fewer minus signs in front of products."""
+    """The steps with fewer minus signs in front of products, and with cotangents."""
     for step in steps:
         yield step if step.rule in _AS_COMPUTED else replace(step, body=tuple(map(_block, step.body)))
 
 
 def _block(b: Block) -> Block:
     if isinstance(b, Display):
-        return b.map(lambda e: replace(e, sides=tuple(map(_side, e.sides))))
+        return b.map(lambda e: _with_signs(replace(e, sides=tuple(map(_side, e.sides)))))
     return replace(b, parts=tuple(map(_part, b.parts))) if isinstance(b, Prose) else b
+
+
+def _with_signs(e: Equation) -> Equation:
+    """N = m sgn(cos s) (...), where cos s ≠ 0."""
+    pairs = [with_signs(s) if isinstance(s, sp.Expr) else (s, ()) for s in e.sides]
+    nonzero = [x for _, signs in pairs for x in signs]
+    if not nonzero:
+        return e
+    where = ("where ", *listed(math(x, sp.S.Zero, relation="≠") for x in nonzero))
+    return replace(e, sides=tuple(s for s, _ in pairs), condition=e.condition or where)
 
 
 def _part(p: Part) -> Part:
@@ -47,4 +69,4 @@ def _part(p: Part) -> Part:
 
 
 def _side(side: Mathematics) -> Mathematics:
-    return with_turned_sum(side) if isinstance(side, sp.Expr) else side
+    return with_turned_sum(in_cotangents(side)) if isinstance(side, sp.Expr) else side

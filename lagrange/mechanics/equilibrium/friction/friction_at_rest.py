@@ -72,6 +72,7 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     shortest,
     solvable,
 )
+from lagrange.mechanics.equilibrium.friction.open_force import always, bounds_of
 from lagrange.mechanics.equilibrium.limits import (
     CONTACTS_OF_LIMITS,
     MOST_CASES,
@@ -105,6 +106,8 @@ class AtRest:
     unexamined   what is positive or negative in the cases, and may perhaps vanish as well
     place        the position for which this holds, up to a displacement of the whole; empty if it holds for all
     elsewhere    other positions that the constraints admit; there rest is impossible, or needs more than here
+    bounds       those of the only force that is open, where they are few
+    always       where the conditions hold in every position
     """
 
     configuration: Configuration
@@ -125,6 +128,8 @@ class AtRest:
     lengths: LengthsGiven = LengthsGiven({})
     place: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     elsewhere: tuple[Mapping[sp.Symbol, sp.Expr], ...] = ()
+    bounds: tuple[RestCondition, ...] = ()
+    always: RestCondition | None = None
 
     @property
     def name(self) -> str:
@@ -400,7 +405,10 @@ def _at_rest(
                 continue
             if acute is angles and angles != positions and _is_evident(cases, Signs(positions)):
                 break
-            return replace(resting(solved, cases, signs), unexamined=tuple(dict.fromkeys(unexamined)))
+            rest = replace(resting(solved, cases, signs), unexamined=tuple(dict.fromkeys(unexamined)))
+            one = len(solved.open) == 1 and not belts and all(c.sign and len(c.components) == 1 for c in contacts)
+            bounds = (*_one_sided(solved, newton), *_in_cones(solved, contacts)) if one else ()
+            return replace(rest, bounds=bounds_of(bounds, solved.open, signs), always=always(cases, positions, signs))
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
 

@@ -27,8 +27,9 @@ def test_two_angles_have_one_stable_position_and_two_frequencies() -> None:
 
 
 def test_a_position_with_a_condition_for_stability() -> None:
-    [rest] = rest_of("bead-on-lemniscate")
+    rest, motion = rest_of("bead-on-lemniscate")
     assert words(rest).count("stable where cos(s)") == 2
+    assert "omega**2 where it is stable" in words(motion)
 
 
 def test_no_rest_at_the_end_of_a_range() -> None:

@@ -134,8 +134,8 @@ def test_what_is_written(problem: Read) -> None:
     explained = report(problem(CAPSTAN))
     assert in_json.as_object(explained)["rest"]["conditions"] == ["m*g*exp(-mu*beta) <= P"]
     page = " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
-    assert "It does not slip towards its tight side as long as T ≤ P exp(μ β)" in page
-    assert "Then the tensions of the drum satisfy T = P exp(μ β)" in page
+    assert "It does not slip towards its tight side as long as T ≤ P e^(μ β)" in page
+    assert "Then the tensions of the drum satisfy T = P e^(μ β)" in page
 
 
 @pytest.mark.parametrize(
