@@ -108,9 +108,14 @@ def _class(solution: Solution, word: str) -> bool | None:
 
 
 def readable(answer: AnswerVerdict) -> AnswerVerdict:
-    """The verdict on an answer of the file, without messages. Raises ProblemError if the answer cannot be read."""
+    """The verdict on an answer of the file, without messages. Raises ProblemError if the answer cannot be read.
+
+    A file may state some of the first integrals, as books do.
+    """
     if answer.verdict is Verdict.UNREADABLE and answer.messages:
         raise ProblemError(answer.messages)
+    if (answer.name, answer.verdict) == ("conserved", Verdict.INCOMPLETE):
+        answer = replace(answer, verdict=Verdict.EQUIVALENT, missing=0, diagnosis="")
     return replace(answer, unreadable=(), notes=())
 
 

@@ -243,12 +243,15 @@ def _linear(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> Iterato
 
 def _tidy(e: sp.Expr) -> sp.Expr:
     """The terms of a solution with the same function of time together."""
-    expanded = sp.expand(e, deep=False, power_exp=False, log=False)
+    # As letters: SymPy multiplies the denominators of a term with exp(−p t) out together with exp(p t).
+    letters = {f: sp.Dummy(positive=True) for f in e.atoms(sp.exp) if f.has(t)}
+    expanded = sp.expand(e.xreplace(letters), deep=False, power_exp=False, log=False)
     parts: dict[sp.Expr, sp.Expr] = {}
     for term in sp.Add.make_args(sp.expand_mul(expanded)):
-        share, rest = term.as_independent(t, as_Add=False)
+        share, rest = term.as_independent(t, *letters.values(), as_Add=False)
         parts[rest] = parts.get(rest, sp.S.Zero) + share
-    return sp.Add(*(factored_quotient(share) * rest for rest, share in parts.items()))
+    back = {letter: f for f, letter in letters.items()}
+    return sp.Add(*(factored_quotient(share) * rest.xreplace(back) for rest, share in parts.items()))
 
 
 def _homogeneous(
@@ -302,6 +305,7 @@ def _particular(forcing: sp.Expr, c: sp.Expr, k: sp.Expr) -> Iterator[tuple[sp.E
         return
     steady = sp.S.Zero
     waves: list[tuple[sp.Expr, sp.Expr, bool]] = []
+    decaying: list[tuple[sp.Expr, sp.Expr]] = []
     for f in terms:
         share, rest = f.as_independent(t, as_Add=False)
         power = _of_power(share, rest, c, k)
@@ -309,9 +313,12 @@ def _particular(forcing: sp.Expr, c: sp.Expr, k: sp.Expr) -> Iterator[tuple[sp.E
             steady += power
         elif isinstance(rest, sp.cos | sp.sin) and t not in rest.args[0].diff(t).free_symbols:
             waves.append((share, rest.args[0], isinstance(rest, sp.cos)))
+        elif isinstance(rest, sp.exp) and t not in (rate := rest.args[0].diff(t)).free_symbols:
+            decaying.append((share * rest, rate))
         else:
             return
-    for cases in product(*(list(_of_wave(*wave, c, k)) for wave in waves)):
+    of_waves, of_decays = ([*_of_wave(*w, c, k)] for w in waves), ([*_of_exponential(*e, c, k)] for e in decaying)
+    for cases in product(*of_waves, *of_decays):
         conditions = tuple(dict.fromkeys(x for _, more in cases for x in more))
         if sum(x.relation == "=" for x in conditions) <= 1:
             yield steady + sp.Add(*(e for e, _ in cases)), conditions
@@ -353,6 +360,23 @@ def _of_wave(
         yield share * wave / detuning, different_from_zero(detuning)
     if detuning == 0 or (sign_of(detuning) is None and w != 0):
         yield share * t * other / (2 * w), () if detuning == 0 else (_equal(detuning),)
+
+
+def _of_exponential(
+    force: sp.Expr, rate: sp.Expr, c: sp.Expr, k: sp.Expr
+) -> Iterator[tuple[sp.Expr, tuple[SignCondition, ...]]]:
+    """The particular solutions for F exp(p t): p² + c p + k is not 0, or p is an exponent of the free motion."""
+    value = sp.factor(rate**2 + c * rate + k)
+    slope = sp.factor(rate - k / rate)  # 2 p + c where p² + c p + k = 0
+    sign = sign_of(value)
+    if value != 0:
+        yield force / value, different_from_zero(value) if sign is None else ()
+    if value == 0 or sign is None:
+        at_resonance = () if value == 0 else (_equal(value),)
+        if slope != 0:
+            yield force * t / slope, at_resonance
+        else:
+            yield force * t**2 / 2, at_resonance
 
 
 # Drag

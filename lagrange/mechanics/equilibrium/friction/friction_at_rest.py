@@ -407,7 +407,7 @@ def _at_rest(
                 break
             rest = replace(resting(solved, cases, signs), unexamined=tuple(dict.fromkeys(unexamined)))
             one = len(solved.open) == 1 and not belts and all(c.sign and len(c.components) == 1 for c in contacts)
-            bounds = (*_one_sided(solved, newton), *_in_cones(solved, contacts)) if one else ()
+            bounds = (*_one_sided(solved), *_in_cones(solved, contacts)) if one else ()
             return replace(rest, bounds=bounds_of(bounds, solved.open, signs), always=always(cases, positions, signs))
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
