@@ -61,6 +61,7 @@ from lagrange.mechanics.rewriting.held_coordinates import (
 )
 from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, by_one_velocity
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations, are_same_formulas
+from lagrange.problem.values import no_values
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
@@ -311,7 +312,9 @@ def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
         return "Hamilton's and Routh's functions"
     branches = [v.equilibrium.branches for v in solution.views if v.equilibrium is not None]
     unknown = {s for e in lines if isinstance(e.sides[0], sp.Expr) for s in e.sides[0].free_symbols}
-    several = rule is Rule.EQUILIBRIUM and len(lines) > min(1, len(unknown)) and any(len(b) > 1 for b in branches)
+    found = [len(v.in_numbers.positions) for v in solution.views if v.in_numbers is not None]
+    many = any(n > 1 for n in (*map(len, branches), *found))
+    several = rule is Rule.EQUILIBRIUM and len(lines) > min(1, len(unknown)) and many
     several = several and not (len(lines) == len(unknown) == len({e.sides[0] for e in lines}))
     return "the equilibria" if several else _CALLED[rule]
 
@@ -418,12 +421,18 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
             lines.append(Equation((letters.routhian, view.hamiltonian.routhian)))
         yield Rule.HAMILTON, lines
     if view.is_about_rest:
-        from lagrange.explain.page.result_at_rest import reactions_of_only_root, result_at_rest
+        from lagrange.explain.page.result_at_rest import (
+            reactions_of_only_root,
+            result_at_rest,
+            with_units_of_numbers,
+        )
 
         values = solution.problem.given_values
         newton = None if solution.law is None else solution.law.newton
         held = solution.classification.degrees_of_freedom == 0
-        yield from result_at_rest(view, values, newton, held=held, sought=solution.problem.unknowns)
+        known = no_values(solution.problem)
+        for rule, lines in result_at_rest(view, values, newton, held=held, sought=solution.problem.unknowns):
+            yield rule, [with_units_of_numbers(e, known) for e in lines]
         if view.is_own and (found := reactions_of_only_root(view)):
             yield Rule.SOLVED_REACTIONS, found
     if view.response is not None:

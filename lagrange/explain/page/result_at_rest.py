@@ -13,7 +13,8 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
-from lagrange.document.derivation import Equation, Mathematics, Part, Rule, listed, math, series
+from lagrange.core.symbols import UnitSymbol
+from lagrange.document.derivation import Equation, Math, Mathematics, Part, Rule, listed, math, series
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
 from lagrange.explain.page.conclusions.positions import stability_of
 from lagrange.explain.reactions import reaction_lines
@@ -32,7 +33,7 @@ from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
 from lagrange.mechanics.rewriting.readable_forms import divisors
 from lagrange.mechanics.rewriting.stable_frequencies import square_where_stable
-from lagrange.values.quantities import Quantity, degrees
+from lagrange.values.quantities import Quantity, Values, degrees, with_unit
 
 
 def result_at_rest(
@@ -51,11 +52,9 @@ def result_at_rest(
     forces = () if view.reactions_at_rest is None else view.reactions_at_rest.at
     kept = range(len(forces)) if newton is None else possible(forces, newton, values)  # of all, the page says why not
     excluded = {*range(len(forces))} - {*kept}
-    yield Rule.EQUILIBRIUM, [*_equilibria(view, excluded)]
+    yield Rule.EQUILIBRIUM, [*_equilibria(view, excluded, newton if held and len(kept) > 1 else None)]
     if newton is not None and excluded and len(kept) == 1 and (only := forces[kept[0]]) is not None:
-        lines = reaction_lines(only.reactions, newton, "")
-        named = {r.given for r in newton.reactions}
-        yield Rule.SOLVED_REACTIONS, [e for e in lines if e.sides[0] in named]
+        yield Rule.SOLVED_REACTIONS, _named_reactions(only, newton)
     conditions = [*_friction(view, values)]
     yield Rule.FRICTION_AT_REST, conditions
     if view.at_rest is not None:
@@ -75,10 +74,13 @@ def result_at_rest(
         yield Rule.LINEARIZATION, [*lines, *damped, *numbers]
 
 
-def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator[Equation]:
+def _equilibria(
+    view: InCoordinates, excluded: Collection[int] = (), newton: Newton | None = None
+) -> Iterator[Equation]:
     """The equilibria, each with its stability; `or` between them where one takes several lines.
 
     excluded  branches, by index, at which a contact would have to pull or a string to push
+    newton    where the named reactions are stated at each of them: in positions that the constraints hold
     """
     if view.equilibrium is None:
         return
@@ -93,20 +95,35 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         if n in excluded or (numbers is not None and n in numbers.absent and len(numbers.absent) < len(branches)):
             continue
         places = [] if numbers is None or not b.left else [p for p in numbers.positions if p.branch is None]
-        if places and sum(bool(other.left) for other in branches) == 1:
-            groups += [_found(p) for p in places]
+        if places:  # of all branches that are not in closed form together
+            if not any(other.left for other in branches[:n]):
+                groups += [_found(p, numbers) for p in places]
+                if numbers is not None and numbers.numerical is not None and not numbers.numerical.complete:
+                    *first, last = groups[-1]
+                    more = ("; " if last.condition else "", "there may be others")
+                    groups[-1] = [*first, replace(last, condition=(*last.condition, *more))]
             continue
         words: tuple[Part, ...] = ()
         is_open = bool(b.conditions) or verdict is None or verdict.verdict is StabilityVerdict.CONDITIONAL
+        is_open = is_open or bool(verdict is not None and (verdict.presupposed or verdict.unstable))
         known = _with_values(numbers, n) if is_open else ()
         if verdict is not None:
             said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
-            is_short = sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS
+            compared = {c.lhs - c.rhs for c in said}  # a > b beside a ≥ b is read at a glance
+            is_short = sum(map(count_operations, compared)) <= LONGEST_WORDS
             if not b.left and is_short and not (known and _lack_units(said, numbers)):
                 words = stability_in_short(verdict)
         words = (*words, *(("; ",) if words and known else ()), *known)
         contact = _contact(reactions[n]) if reactions else ()
         words = (*contact, *(("; ",) if words and contact else ()), *words)
+        there = reactions[n] if newton is not None and n < len(reactions) else None
+        forces = [] if there is None or newton is None else _named_reactions(there, newton)
+        own = [r for r in b.relations if all(r not in o.relations for o in branches if o is not b)]
+        if forces and own:  # a position that the constraints hold is given; its forces are sought
+            angles = view.equilibrium.solution.letters.angles
+            place = min(own, key=lambda r: r.lhs not in angles)
+            groups.append([replace(e, condition=("at ", math(place.lhs, place.rhs), *e.condition)) for e in forces])
+            continue
         groups.append(_branch(b, *words))
     groups = [lines for lines in groups if lines]
     are_systems = any(len(lines) > 1 for lines in groups)
@@ -114,6 +131,11 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")
         yield replace(last, condition=beside) if are_systems and n < len(groups) else last
+
+
+def _named_reactions(there: ReactionsAtRest, newton: Newton) -> list[Equation]:
+    named = {r.given for r in newton.reactions}
+    return [e for e in reaction_lines(there.reactions, newton, "") if e.sides[0] in named]
 
 
 def _contact(there: ReactionsAtRest | None) -> tuple[Part, ...]:
@@ -124,15 +146,21 @@ def _contact(there: ReactionsAtRest | None) -> tuple[Part, ...]:
     return (f"{acts} where ", *sign_conditions([*dict.fromkeys(there.contact.values())]))
 
 
-def _found(p: Position) -> list[Equation]:
-    """An equilibrium that was found numerically, with its stability."""
+def _found(p: Position, among: EquilibriaInNumbers | None) -> list[Equation]:
+    """An equilibrium that was found numerically, with its stability; of several, each with the reactions there."""
     lines = [
         Equation((q, x.shown(RESULT_DIGITS), *_degrees(x)) if x.formula != 0 else (q, sp.S.Zero),
                  relation="≈" if x.formula != 0 else "=")
         for q, x in p.coordinates.items()
     ]  # fmt: skip
     words = (p.stability.value,) if p.stability in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE) else ()
-    return [*lines[:-1], replace(lines[-1], condition=words)]
+    alone = among is None or len(among.positions) == 1
+    forces = [] if alone else [_force_found(name, x) for name, x in p.forces.items()]
+    return [*lines[:-1], replace(lines[-1], condition=words), *forces]
+
+
+def _force_found(name: sp.Symbol, x: Quantity) -> Equation:
+    return Equation((name, x.shown(RESULT_DIGITS)), relation="≈")
 
 
 def _degrees(x: Quantity) -> tuple[sp.Expr, ...]:
@@ -146,7 +174,7 @@ def reactions_of_only_root(view: InCoordinates) -> list[Equation]:
     if view.in_numbers is None or stated or len(view.in_numbers.positions) != 1:
         return []
     [only] = view.in_numbers.positions
-    return [Equation((name, x.shown(RESULT_DIGITS)), relation="≈") for name, x in only.forces.items()]
+    return [_force_found(name, x) for name, x in only.forces.items()]
 
 
 def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part, ...]:
@@ -173,6 +201,25 @@ def _lack_units(conditions: Iterable[SignCondition], numbers: EquilibriaInNumber
     return any(has_bare_number((c.lhs, c.rhs), known) for c in conditions)
 
 
+def with_units_of_numbers(e: Equation, values: Values) -> Equation:
+    """The line with a unit after a bare number in its conditions, W < 160 N, where the other side has a known one."""
+
+    def written(part: Part) -> Part:
+        if not isinstance(part, Math) or len(part.sides) != 2:
+            return part
+        sides = [s for s in part.sides if isinstance(s, sp.Expr)]
+        numbers = [s for s in sides if s.is_number and s != 0]
+        if len(numbers) != 1 or len(sides) != 2 or numbers[0].has(UnitSymbol):
+            return part
+        [other] = [s for s in sides if s is not numbers[0]]
+        unit = values.unit_of(other)
+        if unit in ("", "rad"):
+            return part
+        return replace(part, sides=tuple(with_unit(s, unit) if s is numbers[0] else s for s in part.sides))
+
+    return replace(e, condition=tuple(map(written, e.condition)))
+
+
 def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Equation]:
     """Where a system with friction can be at rest, or rolls without slipping; where it is about to slip."""
     rest = view.at_rest
@@ -186,13 +233,12 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
         yield from _cases(view.rolling.cases[:1])
     branches = [b for m in view.impending or () for b in m.equilibrium.branches]
     for b in branches:
-        lines = [e for e in _branch(b) if {*e.sides} not in bounds]  # a bound with = is that at the limit
-        if not lines:
-            continue
+        lines = _branch(b)
         if b.special:  # the forces at the limit, and not where the constraints hold the system anyhow
             moving = {*view.configuration.slots.coordinates}
             forces = [e for e in lines if not any(moving & s.free_symbols for s in e.sides if isinstance(s, sp.Expr))]
             lines = [replace(e, condition=()) for e in forces] or lines
+        lines = [e for e in lines if {*e.sides} not in bounds]  # a bound with = is that at the limit
         if rest is not None and rest.always is not None:
             c = rest.always
             lines = [replace(e, condition=("for ", math(c.right, c.left, relation="<"))) for e in lines]

@@ -76,10 +76,11 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     weaker = {c for _, c in bounds}  # |cos θ| ≤ 1
     conditions = tuple(dict.fromkeys([*(c for c in b.conditions if c not in weaker), *more]))
     if more:
-        shorter = further_conditions(conditions)
-        if shorter is None:
-            return None
-        conditions = shorter
+        for _ in range(2):  # a > b, which a ≥ b and a ≠ b make, decides the sign in |c/(a − b)| ≤ 1
+            shorter = further_conditions(conditions)
+            if shorter is None:
+                return None
+            conditions = shorter
 
     def inside(q: sp.Symbol, value: sp.Expr) -> bool:
         turned = [_is_between(value + turn, ranges[q]) for turn in (0, 2 * sp.pi, -2 * sp.pi) if q in ranges]
@@ -178,10 +179,11 @@ def _bounds_of_wave(
     With tan θ = v and |θ| ≤ 45° they are −1 ≤ v ≤ 1. An end at which any value is admitted gives none; of cos θ = v in
     a range that is the same on both sides of 0 there is only |θ| ≤ b.
     """
-    angle = r.lhs.args[0] if isinstance(r.lhs, (sp.sin, sp.cos, sp.tan)) else None
-    if angle not in ranges or angle not in solution.letters.angles or r.rhs.free_symbols & {*solution.unknowns}:
+    measured = dict(as_measured(q, limits, solution) for q, limits in ranges.items() if q in solution.letters.angles)
+    limits = measured.get(r.lhs.args[0]) if isinstance(r.lhs, (sp.sin, sp.cos, sp.tan)) else None
+    if limits is None or r.rhs.free_symbols & {*solution.unknowns}:
         return
-    low, high = ranges[angle].low, ranges[angle].high
+    low, high = limits.low, limits.high
     falls = isinstance(r.lhs, sp.cos)
     low = sp.S.Zero if falls and low == -high else low
     begin, end = (sp.S.Zero, sp.pi) if falls else (-sp.pi / 2, sp.pi / 2)
@@ -202,13 +204,14 @@ def _known(q: sp.Symbol, limits: Range, solution: SolutionSet) -> Iterator[SignC
     if q not in solution.letters.angles:
         yield from (SignCondition(e, "≥", zero) for e in distances(q, limits, False)[0])
         return
+    angle, limits = as_measured(q, limits, solution)
     if not (limits.low.is_number and limits.high.is_number):
         return
     for f in (sp.sin, sp.cos):
         for strict, relation in ((False, ">"), (True, "≥")):
             sign = sign_between(f, limits.low, limits.high, (strict, strict))
             if sign is not None:
-                yield SignCondition(sign * f(q), relation, zero)
+                yield SignCondition(sign * f(angle), relation, zero)
                 break
 
 

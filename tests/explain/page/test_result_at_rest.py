@@ -251,3 +251,111 @@ def test_stability_is_not_a_comparison_of_a_weight_with_a_number_without_a_unit(
     box = [line for line in lines[: next(n for n, line in enumerate(lines) if "The system" in line)] if "│" in line]
     assert not any(" stable where 160 > m g" in line for line in box)
     assert sum("with the given values stable" in line for line in box) == 2
+
+
+def box_of(text: str) -> list[str]:
+    found = report(lagrange.loads(text))
+    head, _, _ = terminal.text(found.derivation, found.notation, 200).partition("The system")
+    return [" ".join(line.strip(" │").split()) for line in head.splitlines()]
+
+
+BARE = """title: Bead on a ring, with a spring whose numbers have no units
+parameters: {W: {unit: N}}
+coordinates: [theta]
+particles: {B: {position: 0.5*sin(theta)*i + 0.5*cos(theta)*j}}
+forces:
+  load: {on: B, vector: -W*j}
+  spring: {spring: 400, between: [0.5*j, B], length: 0.2}
+find: equilibrium
+"""
+
+
+def test_a_number_beside_what_has_a_unit_has_it_too() -> None:
+    assert "θ = π stable where W > 160 N" in box_of(BARE)
+    assert "where W ≤ 160 N; stable where W < 160 N" in " ".join(box_of(BARE))
+
+
+ON_A_ROD = """title: Weight on a rod, held by a spring
+axes: {i: right, j: down}
+parameters: {W: 100 N, l: 1 m, k: 400 N/m, s: 0.6 m, b: 1.3 m}
+coordinates: [x, y]
+particles: {A: {position: x*i + y*j}}
+constraints: {rod: {equation: x^2 + y^2 = l^2, reaction: S}}
+forces: {load: {on: A, vector: W*j}, spring: {spring: k, between: [b*i, A], length: s}}
+find: equilibrium
+"""
+
+
+def test_each_position_in_numbers_has_its_reaction() -> None:
+    """By hand at (0.7899, 0.6132): the spring pulls with 79.1 N, of which 50.6 N to the right; S 0.7899 = 50.6 N."""
+    lines = box_of(ON_A_ROD)
+    assert any("the equilibria" in line for line in lines)
+    assert [line for line in lines if line.startswith("S ≈")] == ["S ≈ −690.9 N or", "S ≈ 63.99 N"]
+
+
+THREE_RODS = """title: Three rods between two pins
+axes: {i: right, j: down}
+parameters: {m: 2 kg, g: 9.81 m/s^2, l: 0.5 m, d: 0.9 m}
+coordinates: [alpha, beta, gamma]
+particles:
+  A: {mass: m, position: l*sin(alpha)*i + l*cos(alpha)*j}
+  B: {mass: 2*m, position: r_A + l*sin(beta)*i + l*cos(beta)*j}
+constraints:
+  over: l*sin(alpha) + l*sin(beta) + l*sin(gamma) = d
+  down: l*cos(alpha) + l*cos(beta) + l*cos(gamma) = 0
+gravity: g*j
+find: equilibrium
+"""
+
+
+def test_several_unsolved_systems_have_their_roots_in_numbers_once() -> None:
+    """By hand: 3 m g l sin α δα + 2 m g l sin β δβ = 0 at 30.20°, 84.88° and 162.5°, the lower of the two positions."""
+    lines = box_of(THREE_RODS)
+    assert [line for line in lines if line.startswith("α")] == ["α ≈ 0.5270 rad ≈ 30.20°", "α ≈ 2.615 rad ≈ 149.8°"]
+    assert any(line.endswith("stable, or") for line in lines)
+    assert not any("closed form" in line for line in lines)
+
+
+BOOM = """title: A boom held by a cable
+parameters: {Q: {value: 900 N}, a: {value: 2 m}, h: {value: 1.5 m}}
+coordinates: [x, y, theta]
+bodies: {boom: {position: x*i + y*j, angle: theta}}
+constraints:
+  left: {equation: "dot(r_boom - a*e1_boom, i) = 0", reaction: X}
+  level: {equation: "dot(r_boom - a*e1_boom, j) = 0", reaction: Y}
+  cable: {equation: norm(r_boom - h*j) = sqrt(h^2 + a^2), reaction: T}
+forces: {load: {on: boom, vector: -Q*j, at: r_boom + a*e1_boom}}
+find: equilibrium
+"""
+
+
+def test_forces_of_a_held_system_in_each_of_its_positions() -> None:
+    """By hand: T h/√(a² + h²) a = Q 2a, X = T a/√(a² + h²) = 2 Q a/h, and Y = Q − 2 Q."""
+    lines = box_of(BOOM)
+    assert any(line.startswith("T = 2Q √(a² + h²)/h at θ = 0") and "T = 3000 N" in line for line in lines)
+    assert any(line.startswith("X = 2a Q/h at θ = 0") for line in lines)
+    assert any(line.startswith("X = −2a Q/h at θ = π") for line in lines)
+
+
+TIED = """title: A block slides from under another one that is tied
+axes: {i: down the incline, j: normal to it}
+parameters: {W_1: positive, W_2: positive, mu: positive, alpha: acute}
+coordinates: [x_1, y_1, x_2, y_2]
+particles: {A: {position: x_1*i + y_1*j}, B: {position: x_2*i + y_2*j}}
+constraints:
+  cord: {equation: x_1 = 0, reaction: T, by: string}
+  between: {equation: y_1 - y_2 >= 0, reaction: N_1}
+  incline: {equation: y_2 >= 0, reaction: N_2}
+forces:
+  weight_1: {on: A, vector: W_1*(sin(alpha)*i - cos(alpha)*j)}
+  weight_2: {on: B, vector: W_2*(sin(alpha)*i - cos(alpha)*j)}
+  rub_1: {friction: mu, static: mu, constraint: between, on: B, slip: i}
+  rub_2: {friction: mu, static: mu, constraint: incline, on: B, slip: i}
+find: [equilibrium, impending]
+"""
+
+
+def test_the_position_of_a_held_system_is_no_limit() -> None:
+    """By hand: W_2 sin α <= μ W_1 cos α + μ (W_1 + W_2) cos α."""
+    lines = [line for line in box_of(TIED) if "tan" in line or "=" in line]
+    assert lines == ["μ ≥ (W₂/(2W₁ + W₂)) tan α"]

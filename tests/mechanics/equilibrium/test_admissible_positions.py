@@ -133,6 +133,28 @@ def test_the_range_of_an_angle_bounds_its_functions(limits: str, force: str, rel
     assert {f"{c.lhs} {c.relation} {c.rhs}".replace("≥", ">=") for c in branch.conditions} == where
 
 
+HALF = """title: A pendulum upright on an elastic cord
+parameters: {m: positive, g: positive, l: positive, k: positive, s: positive}
+coordinates: {theta: {range: [0, 180 deg]}}
+particles: {P: {mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}
+gravity: -g*j
+forces: {cord: {potential: k/2*(2*l*sin(theta/2) - s)^2}}
+find: equilibrium
+"""
+
+
+def test_the_range_bounds_the_functions_of_half_an_angle() -> None:
+    """By hand: l cos(θ/2) (2 (k l − m g) sin(θ/2) − k s) = 0, and sin(θ/2) lies between 0 and 1."""
+    result = solved(HALF)
+    resting, second = result.solution.own.equilibrium, result.solution.own.stability
+    assert resting is not None
+    assert second is not None
+    [(branch, verdict)] = [(b, v) for b, v in zip(resting.branches, second.verdicts, strict=True) if b.conditions]
+    m, g, l, k, s = (sp.Symbol(name, positive=True) for name in "mglks")
+    assert [(c.lhs, c.relation, c.rhs) for c in branch.conditions] == [(2 * k * l, "≥", 2 * g * m + k * s)]
+    assert verdict.verdict is StabilityVerdict.STABLE
+
+
 def test_what_depends_on_the_one_angle_has_a_value() -> None:
     text = """title: two weights on a ring
 parameters: {m: positive, g: positive, R: positive}
