@@ -15,6 +15,7 @@ from lagrange.document.derivation import (
     Matrices,
     Part,
     Phrase,
+    Prose,
     Purpose,
     Ref,
     Rule,
@@ -43,7 +44,13 @@ from lagrange.explain.words import (
 )
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationOfMotion, EquationsOfMotion, WithMultipliers
+from lagrange.mechanics.dynamics.equations import (
+    DalembertMotion,
+    EquationOfMotion,
+    EquationsOfMotion,
+    WithEliminatedRates,
+    WithMultipliers,
+)
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Problem
@@ -154,15 +161,27 @@ def _derived(motion: DalembertMotion, problem: Problem) -> list[Block]:
     coordinates, suffix = motion.configuration.slots.coordinates, suffix_of(motion.configuration.name)
     body: list[Block] = []
     if motion.configuration.rows:
-        solved = (math(variation(coordinates[d])) for d in motion.elimination.dependent)
-        body.append(substituting(solved, Ref(f"written-out{suffix}")))
-        body.append(display(Equation((motion.reduced, ZERO), label=f"reduced{suffix}")))
+        solved = [math(variation(coordinates[d])) for d in motion.elimination.dependent]
+        if motion.closed is not None and motion.closed.at_once:
+            body.append(_at_once(motion, motion.closed, solved))
+        else:
+            body.append(substituting(solved, Ref(f"written-out{suffix}")))
+            body.append(display(Equation((motion.reduced, ZERO), label=f"reduced{suffix}")))
     free = [math(variation(coordinates[k])) for k in motion.elimination.independent]
     if free:
-        body.append(must_vanish(free, scaling(motion.equations)))
+        at_once = motion.closed is not None and motion.closed.at_once
+        body.append(must_vanish(free, scaling(motion.final if at_once else motion.equations)))
     else:
         body.append(prose("No displacement is free: the constraints alone determine the motion."))
     return [*body, *final_equations(motion, problem)]
+
+
+def _at_once(motion: DalembertMotion, closed: WithEliminatedRates, displacements: Sequence[Part]) -> Prose:
+    """`Substitute for δψ in (22); by (17), ψ̇ = ṡ/R and ψ̈ = s̈/R.`"""
+    refs = listed(Ref(f"rate-{motion.configuration.name}-{n}") for n in closed.used)
+    rates = listed(math(*pair) for pair in closed.rates.items())
+    written = Ref(f"written-out{suffix_of(motion.configuration.name)}")
+    return prose("Substitute for ", *listed(displacements), " in ", written, "; by ", *refs, ", ", *rates, ".")
 
 
 def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
@@ -201,12 +220,13 @@ def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
 
 def label_from_principle(motion: EquationsOfMotion, equation: EquationOfMotion) -> str:
     """The label of an equation as it comes from the principle, before eliminated velocities are substituted."""
-    return f"{'open' if motion.closed else 'motion'}{suffix_of(motion.configuration.name)}-{equation.coordinate.name}"
+    is_open = motion.closed is not None and not motion.closed.at_once
+    return f"{'open' if is_open else 'motion'}{suffix_of(motion.configuration.name)}-{equation.coordinate.name}"
 
 
 def _substituted_rates(motion: EquationsOfMotion) -> list[Block]:
     """The equations as they come from the principle, and the velocities and accelerations to substitute in them."""
-    if motion.closed is None:
+    if motion.closed is None or motion.closed.at_once:
         return []
     closed, name = motion.closed, motion.configuration.name
     before = [Equation((e.expression, ZERO), label=label_from_principle(motion, e)) for e in motion.equations]

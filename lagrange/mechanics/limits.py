@@ -144,3 +144,6 @@ LONGEST_PROJECTION = 20
 
 MOST_GROUPED_TERMS = 40
 """Terms of a polynomial that is written as a sum of products."""
+
+LONGEST_AT_ONCE = 12
+"""Operations of rates that are put into the principle without writing the equations before that."""

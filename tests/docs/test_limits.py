@@ -42,6 +42,7 @@ NO_LIMITS = {
     "document/scene": {"MARGIN"},
     "pictures/blocks": {"BOARD", "HIGH", "WIDE"},
     "implied/body_shapes": {"_NEUTRAL", "_RIM"},
+    "implied/nested_pulleys": {"_DEPTHS"},
     "implied/rods_at_rest": {"HALF", "INSIDE", "PEG", "_BEYOND"},
     "implied/springs_of_potentials": {"_SHOWN"},
     "implied/turning_guides": {"HALF", "_BEYOND", "_RIM"},

@@ -16,12 +16,19 @@ from lagrange.explain.page.surfaces import on_surface
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.equilibrium_values import by_coordinates
 from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, in_names
-from lagrange.mechanics.rewriting.stated_form import in_stated_form
+from lagrange.mechanics.rewriting.stated_form import in_stated_form, substituted_at_once
 
 
 def in_forms_of_page(solution: Solution, stated: StatedEquations) -> Solution:
     """The solution with the equations as a page has them; itself if it has them already."""
-    return _with_values(_with_stated_equations(solution, stated))
+    return _with_values(_substituted(_with_stated_equations(solution, stated)))
+
+
+def _substituted(solution: Solution) -> Solution:
+    """With the rates of rolling wheels substituted at once, in the coordinates of choices."""
+    found = tuple(substituted_at_once(c) for c in solution.choices)
+    choices = tuple(c if f is None else f for c, f in zip(solution.choices, found, strict=True))
+    return replace(solution, choices=choices) if any(found) else solution
 
 
 def _with_values(solution: Solution) -> Solution:

@@ -88,6 +88,7 @@ class WithEliminatedRates:
     equations   of motion after the substitution; a factor is one divided out after it
     used        the names of the constraints that give the velocities
     rows        the constraints that complete the equations
+    at_once     whether the equations before the substitution are not written down
     """
 
     velocities: Mapping[sp.Symbol, sp.Expr]
@@ -95,6 +96,7 @@ class WithEliminatedRates:
     equations: tuple[EquationOfMotion, ...]
     used: tuple[str, ...]
     rows: tuple[Row, ...]
+    at_once: bool = False
 
 
 @record

@@ -4,11 +4,14 @@ A stated S = 0 has the accelerations of an equation of motion E = 0 times c, wit
 only where the equation has been divided by what vanishes there; the factor f of E that was divided out becomes f/c, and
 a multiplier ν in a conserved quantity, d/dt(...) = ν E, becomes ν/c. So everything that is said of the equations holds
 for the stated ones. For (1 + sin²s) s'' + ... of the lemniscate c = 1 + sin²s.
+
+Likewise equations in which the rates of a rolling wheel are substituted at once, θ'' = x''/R: they are the equations
+before the substitution divided by a factor, and what is a multiple ν of these is one of the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -19,8 +22,9 @@ from lagrange.algebra.fourier.terms import CommonFactor, never_vanishes
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Unspecified, partial
+from lagrange.mechanics.dynamics.conservation import Integral
 from lagrange.mechanics.dynamics.equations import EquationOfMotion
-from lagrange.mechanics.limits import LONGEST_COMBINED
+from lagrange.mechanics.limits import LONGEST_AT_ONCE, LONGEST_COMBINED
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations
 
@@ -88,3 +92,50 @@ def _with_multipliers(view: InCoordinates, ratios: Sequence[sp.Expr]) -> InCoord
         for i in view.conserved.integrals
     )
     return replace(view, conserved=replace(view.conserved, motion=view.motion, integrals=integrals))
+
+
+def substituted_at_once(view: InCoordinates) -> InCoordinates | None:
+    """The view in which short rates are put into the principle; None where there are none."""
+    motion, dynamics = view.motion, view.dynamics
+    if motion is None or dynamics is None or motion.closed is None or view.is_own:
+        return None
+    closed = motion.closed
+    pairs = [*zip(motion.equations, closed.equations, strict=False)]
+    rates = sum(count_operations(e) for e in closed.rates.values())
+    if len(closed.equations) != len(motion.equations) or rates > LONGEST_AT_ONCE or len(closed.velocities) > 1:
+        return None
+    merged = tuple(_merged(e, after) for e, after in pairs)
+    if any(is_zero(_coefficient(e).xreplace(dict(closed.rates)) - _coefficient(m)) is not True
+           for (e, _), m in zip(pairs, merged, strict=True)):  # fmt: skip
+        return None
+    restated = replace(motion, closed=replace(closed, equations=merged, at_once=True))
+    changed = replace(view, dynamics=replace(dynamics, equations=restated))
+    if view.conserved is None:
+        return changed
+    integrals = tuple(_of_closed(i, pairs, closed.velocities) for i in view.conserved.integrals)
+    return replace(changed, conserved=replace(view.conserved, motion=restated, integrals=integrals))
+
+
+def _coefficient(e: EquationOfMotion) -> sp.Expr:
+    """The coefficient of the virtual displacement."""
+    return e.expression * e.factor.expression * (-1 if e.reversed else 1)
+
+
+def _merged(e: EquationOfMotion, after: EquationOfMotion) -> EquationOfMotion:
+    """The second equation with what both have been divided by."""
+    powers = dict(e.factor.powers)
+    for f, n in after.factor.powers:
+        powers[f] = powers.get(f, 0) + n
+    factor = CommonFactor(e.factor.number * after.factor.number, tuple((f, n) for f, n in powers.items() if n != 0))
+    return replace(after, factor=factor, reversed=e.reversed is not after.reversed)
+
+
+def _of_closed(
+    integral: Integral, pairs: Sequence[tuple[EquationOfMotion, EquationOfMotion]], rates: Mapping[sp.Symbol, sp.Expr]
+) -> Integral:
+    """The integral as a sum of multiples of the equations after the substitution."""
+    multipliers = tuple(
+        textbook_form(m.xreplace(dict(rates)) * after.factor.expression * (-1 if after.reversed else 1))
+        for m, (_, after) in zip(integral.multipliers, pairs, strict=False)
+    )
+    return replace(integral, multipliers=multipliers)

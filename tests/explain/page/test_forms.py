@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from lagrange.document.derivation import Detail
@@ -50,3 +52,11 @@ def test_the_bead_on_a_figure_of_eight() -> None:
     assert "δ𝐫 = −[a (3 − sin²s) sin s/(1 + sin²s)²] δs 𝐢" in text
     assert "N = m sgn(cos s) [g (2 + cos²s) sin s − 3a ṡ² cos s]/(1 + sin²s)^(3/2) where cos s ≠ 0" in text
     assert text.count("Small motion: ω² = 3√2 g/(2a) where it is stable.") == 1
+
+
+def test_rolling_is_put_in_before_the_equations_are_written() -> None:
+    text = " ".join(" ".join(printed("cylinder-on-rough-incline")).split())
+    text = re.sub(r"\(\d+\)", "()", text)
+    assert "Substitute for δθ in (); by (), θ̇ = ẋ/R and θ̈ = ẍ/R. δx is arbitrary" in text
+    assert "2ẍ + R θ̈" not in text
+    assert "Energy: (3/2) m ẋ times () integrates to ¾ m ẋ² − m g x sin α = const." in text

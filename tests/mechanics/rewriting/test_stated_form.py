@@ -7,7 +7,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.mechanics.results import InCoordinates
-from lagrange.mechanics.rewriting.stated_form import in_stated_form
+from lagrange.mechanics.rewriting.stated_form import in_stated_form, substituted_at_once
 from tests.mechanics.rewriting.test_combinations import symbol, view_of
 
 
@@ -58,3 +58,25 @@ def test_sides_stay_as_they_are_stated() -> None:
     assert restated is not None
     assert restated.motion is not None
     assert restated.motion.final[0].sides == (left, left - e)
+
+
+@pytest.mark.parametrize("name", ["cylinder-on-wedge", "cylinder-on-rough-incline"])
+def test_rates_of_rolling_put_in_at_once(name: str) -> None:
+    """The coefficients of the displacements with the rates in them; integrals are multiples of the new equations."""
+    view = view_of(name)
+    short = substituted_at_once(view)
+    assert short is not None
+    assert short.motion is not None
+    assert short.conserved is not None
+    slots = view.configuration.slots
+    closed = short.motion.closed
+    assert closed is not None
+    assert closed.at_once
+    for integral in short.conserved.integrals:
+        total = sum(m * e.expression for m, e in zip(integral.multipliers, closed.equations, strict=True))
+        rate = slots.time_derivative(integral.expression).xreplace(dict(closed.rates))
+        assert is_zero(sp.expand(total.xreplace(dict(closed.rates)) - rate)) is True
+
+
+def test_without_rates_there_is_nothing_to_put_in() -> None:
+    assert substituted_at_once(view_of("ex11-ideal-pendulum")) is None
