@@ -85,6 +85,7 @@ def _equilibria(
     if view.equilibrium is None:
         return
     groups: list[list[Equation]] = []
+    unsolved = False
     reactions = view.reactions_at_rest.at if view.reactions_at_rest is not None else ()
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
@@ -124,8 +125,16 @@ def _equilibria(
             place = min(own, key=lambda r: r.lhs not in angles)
             groups.append([replace(e, condition=("at ", math(place.lhs, place.rhs), *e.condition)) for e in forces])
             continue
-        groups.append(_branch(b, *words))
+        lines = _branch(b, *words)
+        if b.left and sum(e.operations for e in lines) > LONGEST_FREQUENCY and not all(o.left for o in branches):
+            unsolved = True
+            continue
+        groups.append(lines)
     groups = [lines for lines in groups if lines]
+    if unsolved and groups:
+        *before, last = groups[-1]
+        words = ("; " if last.condition else "", "others, if any, are not solved in closed form")
+        groups[-1] = [*before, replace(last, condition=(*last.condition, *words))]
     are_systems = any(len(lines) > 1 for lines in groups)
     for n, (*first, last) in enumerate(groups, start=1):
         yield from first

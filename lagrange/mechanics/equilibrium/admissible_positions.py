@@ -41,8 +41,8 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import further_conditions
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
-from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, Relation, SolutionSet, with_shares_of_pi
+from lagrange.algebra.closed_forms.single_equation import Relation, Values
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, with_shares_of_pi
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero, rank
@@ -193,7 +193,8 @@ def _bounds_of_wave(
     for edge, outermost, sense in ((low, begin, 1), (high, end, -1)):
         if edge != outermost and count_operations(r.rhs) <= LONGEST_RANGE_CONDITION:
             sense = -sense if falls else sense
-            at_most = [] if wave(outermost).is_infinite else not_negative(sense * (r.rhs - wave(outermost)), positive)
+            is_bound = not wave(outermost).is_infinite
+            at_most = not_negative(sense * (r.rhs - wave(outermost)), positive) if is_bound else None
             for c in not_negative(sense * (r.rhs - wave(edge)), positive) or ():
                 yield c, at_most[0] if at_most else None
 

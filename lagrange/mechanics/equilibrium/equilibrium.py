@@ -407,12 +407,14 @@ def _for_all(e: Equilibrium, place: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
     if not solution.solved:
         verdicts = [solution.verified] if any(not b.left for b in branches) else []
         drawn = [*place_as_drawn(e.configuration)]
-        for place in (*symmetric_places(equations, coordinates), *drawn):
-            there = solved(*place)
+        # with the multipliers put in: the tensions of two strings that are equal make a position symmetric
+        left = [r.residual for b in branches if b.left for r in b.equations]
+        for assumed in (*symmetric_places([*equations, *left], coordinates), *drawn):
+            there = solved(*assumed)
             beside, _ = _without(there.branches, multipliers)
             stated = {b.relations for b in branches}
             # Of a drawing that fits particular parameters only, strings of equal length, nothing is known in general.
-            fitting = [b for b in beside if not (b.special and place in drawn)]
+            fitting = [b for b in beside if not (b.special and assumed in drawn)]
             closed = (b for b in fitting if not b.left and b.relations not in stated)
             more = [b for b in closed if not any(is_part(b, o, solution) for o in branches)]
             branches = (*more, *branches)
