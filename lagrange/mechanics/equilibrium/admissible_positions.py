@@ -90,6 +90,32 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     return with_shares_of_pi(restricted, solution.letters, solution.unknowns, inside)
 
 
+def within_bounds(b: Branch, bounded: Sequence[tuple[sp.Expr, Range]], solution: SolutionSet) -> Branch | None:
+    """The branch where functions of the coordinates are within bounds; None if at all of its points one is not.
+
+    Of a rod in a bowl the distance 2 r cos θ from its lower end to the rim is at most its length.
+    """
+    if not bounded or b.left or b.special or len(b.points) != 1:
+        return b
+    [point] = b.points
+    margins = [m for e, r in bounded for m in (e - r.low, r.high - e)]
+    positive = [c.lhs - c.rhs for c in b.conditions if c.relation == ">"]
+    conditions = list(b.conditions)
+    for margin in margins:
+        try:
+            value = solution.at(point, sp.expand_trig(margin))
+        except (NotAlgebraicError, DivisionByZeroError):
+            continue
+        if value.free_symbols & {*solution.unknowns} or count_operations(value) > LONGEST_RANGE_CONDITION:
+            continue
+        needed = not_negative(sp.factor(value), positive)
+        if needed is None:
+            return None
+        conditions += needed
+    shorter = further_conditions(tuple(dict.fromkeys(conditions)))
+    return None if shorter is None else replace(b, conditions=shorter)
+
+
 def _is_between(value: sp.Expr, limits: Range) -> bool:
     """Whether a number is certainly in a range; False where the range is given by letters."""
     return bool(limits.low.is_number and limits.high.is_number and limits.low <= value <= limits.high)
