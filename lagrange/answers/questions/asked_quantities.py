@@ -184,6 +184,7 @@ class AskedClaim:
             return Verdict.WRONG, WRONG_UNIT
         claim = self.expression if self.expression is not None else self.equation
         assert claim is not None
+        claim = claim.xreplace(dict(self.asked.related))
         verdict, remark = self._judged(as_written(claim))
         if verdict in (Verdict.WRONG, Verdict.INCOMPLETE, Verdict.UNDECIDED) and decimals_in([claim]):
             rounded_verdict, rounded_remark = self._judged(claim)

@@ -5,7 +5,8 @@ At rest the forces balance for each coordinate of the file,
     Q_k + Σ_j λ_j a_jk = 0 ,
 
 with the multipliers λ of all constraints. Together with the constraints and the conditions of the question, these are
-equations for coordinates, unknown forces and multipliers, from which the quantity is eliminated. Positions outside of
+equations for coordinates, unknown forces and multipliers, from which the quantity is eliminated. Conditions on
+parameters alone, a = 3 h/2 or tan β = μ, are put in before that. Positions outside of
 the ranges of the coordinates do not count. Friction at its limit is part of Q, and the law of a belt is one equation
 more; friction at rest that is not at its limit is one unknown force more in each contact.
 
@@ -20,7 +21,7 @@ exactly, for all values of the other parameters, or there is no answer.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cmp_to_key
 from itertools import pairwise
@@ -50,6 +51,7 @@ from lagrange.mechanics.questions.forms import joined_conditions, settled
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.ranges import in_ranges
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted
+from lagrange.mechanics.questions.setting import may_equal, related_parameters
 from lagrange.problem.keys import Find
 from lagrange.problem.model import Problem, Question
 
@@ -166,10 +168,26 @@ def _answer(
     unknowns += wanted[:1] if is_parameter else []
     if question.by is not None:
         unknowns.remove(question.by)
-    equations = [*(a - b for a, b in conditions), *configuration.finite_constraints, *balance]
-    elimination = eliminated(equations, quantity, unknowns, (), question.quantity)
     values = problem.given_values
-    kept = [b for b in (in_ranges(b, configuration, values) for b in elimination.branches) if b is not None]
+    between = [a - b for a, b in conditions if (a - b).free_symbols <= parameters.difference(unknowns)]
+    related = related_parameters(between, values)
+    if related is None:
+        return Asked(question, configuration.name, None, Route.REST, conditions=conditions, quantity=quantity)
+    rule, real_where = related
+    if any(not may_equal(p, e) for p, e in rule.items()):
+        raise ProblemError(_never_holds(question))
+    equations = [*(a - b for a, b in conditions if a - b not in between), *configuration.finite_constraints, *balance]
+    equations = [e.xreplace(rule) for e in equations]
+    elimination = eliminated(equations, quantity.xreplace(rule), unknowns, (), question.quantity)
+    branches = [
+        replace(
+            b,
+            conditions=(*b.conditions, *real_where),
+            states=tuple({**rule, **_limiting(state, equations, parameters, values), **state} for state in b.states),
+        )
+        for b in elimination.branches
+    ]
+    kept = [b for b in (in_ranges(b, configuration, values) for b in branches) if b is not None]
     if question.quantity.is_positive:  # √(μ g/r) for a speed of rotation that the file takes to be positive
         kept = [b for b in kept if not b.values or any(sign_of(v) != -1 for v in b.values)]
     kept = [b for b in (_where_pressed(b, reactions) for b in kept) if b is not None]
@@ -204,10 +222,27 @@ def _answer(
         used=tuple(Substituted(s, sizes[s]) for s in sorted(used, key=str) if sizes[s] != s),
         conditions=conditions,
         quantity=quantity,
+        related=rule,
         branches=tuple(kept) if elimination.solved else (),
         dropped=tuple((b, Reason.OPPOSITE) for b in opposite) if elimination.solved else (),
         verified=elimination.verified,
     )
+
+
+def _limiting(
+    state: Mapping[sp.Symbol, sp.Expr],
+    equations: Sequence[sp.Expr],
+    parameters: Collection[sp.Symbol],
+    values: Mapping[sp.Symbol, sp.Expr],
+) -> dict[sp.Symbol, sp.Expr]:
+    """Parameters without values, where the equations relate them in a position: how far the man gets up a ladder.
+
+    A ladder whose constraints hold it, with friction at its limit, slips for one place of the man alone, whatever the
+    quantity that is asked for there.
+    """
+    there = [sp.expand(e.xreplace(dict(state))) for e in equations]
+    related = related_parameters([e for e in there if e.free_symbols <= {*parameters}], values)
+    return {} if related is None or not values.keys().isdisjoint(related[0]) else related[0]
 
 
 def _where_pressed(branch: AnswerBranch, reactions: Sequence[Reaction]) -> AnswerBranch | None:

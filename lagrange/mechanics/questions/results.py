@@ -199,6 +199,7 @@ class Asked:
     used        reactions and accelerations in the question, in terms of positions and velocities
     conditions  the equations of `when` after that
     quantity    the same for the quantity
+    related     parameters that conditions give in terms of others, put into the answer
     branches    all that it may be; empty if it was not found
     dropped     branches that are not meant, with the reason
     mirrored    whether the branches differ in the sense of the motion alone, and the initial state leaves that open,
@@ -223,6 +224,7 @@ class Asked:
     used: tuple[Substituted, ...] = ()
     conditions: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     quantity: sp.Expr = sp.S.Zero
+    related: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     branches: tuple[AnswerBranch, ...] = ()
     dropped: tuple[tuple[AnswerBranch, Reason], ...] = ()
     mirrored: bool = False

@@ -6,6 +6,9 @@ Coordinates and velocities that the constraints give outright in terms of the ot
 
 x = l sin θ gives x and x' wherever they occur, so that the equations of a question are left with θ and θ' alone. A
 symbol is expressed where it occurs linearly, with a factor of known sign and nowhere else in the constraint.
+
+Parameters that conditions give in terms of others, a = 3 h/2 or tan β = μ: a parameter is expressed where it occurs
+linearly, as its square if it is positive, or, an acute angle, in one sine, cosine or tangent.
 """
 
 from __future__ import annotations
@@ -15,11 +18,11 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.expression_size import count_operations
-from lagrange.core.symbols import prime, t
+from lagrange.core.symbols import Bounded, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions.elimination import eliminated
@@ -260,3 +263,61 @@ def completed(state: Substitution, rule: Substitution, moving: Collection[sp.Sym
     """A state with the dependent symbols that it determines; `moving` are all coordinates and velocities."""
     values = {s: e.xreplace(dict(state)) for s, e in rule.items() if s not in state}
     return {**state, **{s: v for s, v in values.items() if v.free_symbols.isdisjoint(moving)}}
+
+
+# Parameters that conditions relate
+
+
+def related_parameters(
+    relations: Sequence[sp.Expr], values: SymbolValues
+) -> tuple[dict[sp.Symbol, sp.Expr], list[SignCondition]] | None:
+    """Parameters in terms of the others, and where they are real; None if a relation, zero, is not solved for one.
+
+    values  what the file gives: rather a parameter without a value is expressed
+    """
+    rule: dict[sp.Symbol, sp.Expr] = {}
+    conditions: list[SignCondition] = []
+    for e in relations:
+        present = e.xreplace(rule)
+        if vanishes(present):
+            continue
+        symbols = sorted(present.free_symbols, key=lambda s: (s in values, present.coeff(s) not in (1, -1), str(s)))
+        found = next(((s, v) for s in symbols if (v := _value_of(s, present, conditions)) is not None), None)
+        if found is None:
+            return None
+        rule = {**{s: v.xreplace(dict([found])) for s, v in rule.items()}, found[0]: found[1]}
+    return rule, conditions
+
+
+def _value_of(s: sp.Symbol, e: sp.Expr, conditions: list[SignCondition]) -> sp.Expr | None:
+    """s where e is zero, if that is one value; adds where it is real."""
+    acute = isinstance(s, Bounded) and s.low >= 0 and s.high <= sp.pi / 2
+    waves = sorted((w for w in e.atoms(sp.sin, sp.cos, sp.tan) if w.args[0] == s), key=str) if acute else []
+    if len(waves) == 2 and {w.func for w in waves} == {sp.sin, sp.cos}:
+        e = sp.expand(sp.expand(e) / sp.cos(s)).xreplace({sp.sin(s) / sp.cos(s): sp.tan(s)})
+        waves = [sp.tan(s)]
+    square = [s**2] if s.is_positive and s**2 in e.atoms(sp.Pow) else []
+    for function in [s, *square, *waves]:
+        letter = sp.Dummy("y")
+        present = e.xreplace({function: letter}) if function != s else e
+        of = letter if function != s else s
+        slope = present.diff(of)
+        if (function != s and s in present.free_symbols) or of in slope.free_symbols or not _has_sign(slope):
+            continue
+        value = sp.factor(-present.xreplace({of: sp.S.Zero}) / slope)
+        if function == s:
+            return value
+        if function in square:
+            conditions += [] if sign_of(value) == 1 else [more_than_zero(value)]
+            return sp.sqrt(value)
+        if function.func is not sp.tan:
+            conditions += [] if sign_of(1 - value) == 1 else [more_than_zero(1 - value)]
+        return {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}[function.func](value)
+    return None
+
+
+def may_equal(parameter: sp.Symbol, value: sp.Expr) -> bool:
+    """Whether a parameter may have a value: a length is positive, an acute angle less than π/2."""
+    if isinstance(parameter, Bounded) and value.is_number:
+        return value.is_real is not False and bool(parameter.low <= value) and bool(value <= parameter.high)
+    return not (parameter.is_positive and sign_of(value) in (0, -1))

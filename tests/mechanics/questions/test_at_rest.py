@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from math import cos, exp, isclose, pi, sin, sqrt
+from collections.abc import Callable
+from math import acos, atan, cos, exp, isclose, pi, sin, sqrt
 
 import pytest
 import sympy as sp
 
+from lagrange.answers.questions.asked_quantities import check_asked
 from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
@@ -230,3 +232,101 @@ def test_what_friction_leaves_open_is_not_determined() -> None:
     with pytest.raises(ProblemError, match="not determined") as refused:
         solve(read_problem(Source("block.yaml", block)))
     assert "impending" in refused.value.diagnostics[0].help
+
+
+ROPE = """
+title: A sledge drawn by a rope
+parameters:
+  W: {value: 400 N}
+  mu: {value: 0.3}
+  beta: {assume: acute, unit: rad}
+  a: {unit: m}
+  h: {unit: m}
+unknowns: [P, M]
+coordinates: {x: {unit: m}, y: {unit: m}}
+particles: {sledge: {position: x*i + y*j}}
+constraints: {ground: {equation: y >= 0, reaction: N}}
+forces:
+  weight: {on: sledge, vector: -W*j}
+  rope: {on: sledge, vector: P*cos(beta)*i + P*sin(beta)*j}
+  rub: {friction: mu, static: mu, constraint: ground, on: sledge, slip: i}
+find: impending
+ask:
+"""
+
+
+@pytest.mark.parametrize(
+    ("when", "angle"),
+    [
+        ("tan(beta) = mu", lambda mu: atan(mu)),
+        ("sin(beta) = mu*cos(beta)", lambda mu: atan(mu)),
+        ("cos(beta) = 2*mu", lambda mu: acos(2 * mu)),
+        ("beta = 60 deg", lambda _: pi / 3),
+        ("[sin(beta) = h/a, a = 2*h]", lambda _: pi / 6),
+        ("[sin(beta) = h/a, a^2 = 2*h^2]", lambda _: pi / 4),
+    ],
+)
+def test_relations_between_parameters_are_put_into_the_answer(when: str, angle: Callable[[float], float]) -> None:
+    """The pull of a rope at an angle that `when` says: a number, P = μ W/(cos β + μ sin β)."""
+    beta = angle(0.3)
+    pull = 0.3 * 400 / (cos(beta) + 0.3 * sin(beta))
+    text = ROPE + f"  pull: {{quantity: P, when: {when}}}\nanswers: {{ask: {{pull: {pull:.4g} N}}}}\n"
+    solution = solve(read_problem(Source("rope.yaml", text)))
+    [branch] = solution.asked[0].branches
+    assert isclose(branch.rhs.xreplace(solution.problem.given_values), pull, rel_tol=1e-9)
+    assert all(c.passed for c in solution.checks)
+
+
+def test_an_answer_in_letters_that_when_relates_is_right() -> None:
+    """P = μ W/(cos β + μ sin β) is right where tan β = μ, and so is P = W sin β; P = W tan β is not."""
+    text = ROPE + "  pull: {quantity: P, when: tan(beta) = mu}\nanswers: {ask: {pull: %s}}\n"
+    stated = {"mu*W/(cos(beta) + mu*sin(beta))": "equivalent", "W*sin(beta)": "equivalent", "W*tan(beta)": "wrong"}
+    for answer, verdict in stated.items():
+        solution = solve(read_problem(Source("rope.yaml", text % answer)))
+        assert check_asked(dict(solution.problem.answers.ask), solution).verdict.value == verdict, answer
+
+
+@pytest.mark.parametrize("when", ["beta = 120 deg", "a = -h", "sin(beta) = 2"])
+def test_what_parameters_cannot_be_never_holds(when: str) -> None:
+    text = ROPE + f"  pull: {{quantity: P, when: {when}}}\n"
+    with pytest.raises(ProblemError) as raised:
+        solve(read_problem(Source("rope.yaml", text)))
+    assert [d.code for d in raised.value.diagnostics] == ["never-holds"]
+
+
+def test_a_relation_between_parameters_that_is_not_solved_leaves_no_answer() -> None:
+    text = ROPE + "  pull: {quantity: P, when: cos(beta) = beta}\n"
+    [asked] = solve(read_problem(Source("rope.yaml", text))).asked
+    assert not asked.answered
+
+
+HELD = """
+title: A loaded ladder on rough ground against a rough wall
+parameters:
+  W: {value: 300 N}
+  l: {value: 4 m}
+  mu: {value: 0.5}
+  s: {unit: m, meaning: way of the load along the ladder}
+coordinates: {x: {unit: m}, y: {unit: m}, theta: {range: [0, 90 deg]}}
+bodies: {ladder: {position: x*i + y*j, angle: pi - theta}}
+constraints:
+  ground: {equation: y >= l/2*sin(theta), reaction: N_A}
+  wall: {equation: x >= l/2*cos(theta), reaction: N_B}
+forces:
+  load: {on: ladder, vector: -W*j, at: r_ladder + (s - l/2)*e1_ladder}
+  foot: {friction: mu, static: mu, constraint: ground, on: ladder, at: r_ladder - l/2*e1_ladder, slip: i}
+  top: {friction: mu, static: mu, constraint: wall, on: ladder, at: r_ladder + l/2*e1_ladder, slip: -j}
+find: impending
+ask:
+  wall: {quantity: N_B, when: theta = 45 deg}
+answers: {ask: {wall: 120 N}}
+"""
+
+
+def test_the_second_route_knows_which_parameter_a_limit_determines() -> None:
+    """N_B = μ W/(1 + μ²) = 120 N for the only place of the load at which the ladder slips at 45°: s = l (μ + μ²)/(1 + μ²)."""
+    solution = solve(read_problem(Source("held.yaml", HELD)))
+    [state] = solution.asked[0].branches[0].states
+    s = next(v for p, v in state.items() if p.name == "s")
+    assert s.xreplace(solution.problem.given_values) == sp.Rational(12, 5)
+    assert all(c.passed for c in solution.checks)
