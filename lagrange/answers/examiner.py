@@ -150,7 +150,7 @@ class Examiner:
 
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
-        from lagrange.answers.friction.forces_of_working import in_two
+        from lagrange.answers.friction.forces_of_working import in_two, without_case
         from lagrange.answers.questions.at_release import is_about_release
         from lagrange.answers.questions.equilibrium_in_text import with_stated_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
@@ -159,9 +159,13 @@ class Examiner:
 
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
+            answer, case = without_case(answer, [q.name for q in self.problem.slots.coordinates])
             stated = [p for f in answer for c in conditions_of(condition_alone(f)) for p in in_two(condition_alone(c))]
             known = self._statics_reference.scope.names()
-            return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
+            judged = self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
+            said = f"`{case}`: the case in which a condition holds is not judged"
+            notes = (Diagnostic("not-judged", said, answer[0].whole).as_note(),) if case else ()
+            return replace(judged, equations=replace(judged.equations, notes=(*judged.equations.notes, *notes)))
         if solution is not None and self.asks_for_conditions and asks_for_rest_alone(solution):
             from lagrange.answers.friction.stated_limits import check_limits
 

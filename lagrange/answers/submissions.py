@@ -22,6 +22,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import PurePath
 from time import perf_counter
 
@@ -161,9 +162,9 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
             yield from _in_lines(_part(fragment, start, end))
             continue
         places = [(start + a, start + b) for a, b in cuts(fragment.text[start:end], _BETWEEN_STATEMENTS)]
-        restricting = [place for place in places if _ALWAYS_IF.fullmatch(fragment.text, *place) is None]
-        places = restricting or places
-        if all(is_inequality(_part(fragment, *place)) for place in places):
+        places = [place for place in places if _ALWAYS_IF.fullmatch(fragment.text, *place) is None] or places
+        ended = any("." in fragment.text[a:b] for (_, a), (b, _) in pairwise(places))
+        if not ended and all(is_inequality(_part(fragment, *place)) for place in places):
             places = [(places[0][0], places[-1][1])]
         for begins, stop in places:
             if not is_inequality(_part(fragment, begins, stop)):
@@ -303,7 +304,22 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
             in_region = rows(fragment, marks, regions[next_region])
             number, next_region = number + len(in_region), next_region + 1
             yield from (replace(e, beside=f"{words} {e.beside}".strip()) for e in in_region)
+        for a, b in _outside(regions, start, end):
+            if not has_sign_of_equality(fragment.text[a:b]) or fragment.text[a:b].lstrip().startswith("%"):
+                continue
+            for e in _of_block(fragment, [(a, b, fragment.text[a:b])], number, bullet, words, labels):
+                number += 1
+                yield e
     yield from _of_block(fragment, block, number, bullet, words, labels)
+
+
+def _outside(regions: Sequence[Region], start: int, end: int) -> Iterator[tuple[int, int]]:
+    r"""The parts of a line beside the displays in it, `\[ y = a \] and $x = b$`."""
+    for region in (*regions, None):
+        stop = min(region.opens, end) if region else end
+        if start < stop:
+            yield start, stop
+        start = max(start, region.closes) if region else end
 
 
 def _of_block(

@@ -484,13 +484,9 @@ def explain_time(classification: Classification) -> Prose:
 
 
 def only_if(classification: Classification) -> tuple[Part, ...]:
-    """`, if c ≠ 0`, where the only terms with time in the finite form have a parameter that may be zero."""
-    timed = [c for c in classification.constraints if c.depends_on_time]
-    if any(c.contains_time for c in timed) or classification.moving or classification.driven or len(timed) != 1:
-        return ()
-    drift = timed[0].row.drift
-    zero = drift.is_Symbol and drift.is_zero is None
-    return (" if ", math(drift, sp.S.Zero, relation="≠")) if zero else ()
+    """` if u ≠ 0`, where all terms with time have a parameter that may be zero."""
+    rate = classification.rheonomic_with
+    return () if rate is None else (" if ", math(rate, sp.S.Zero, relation="≠"))
 
 
 def _withtime_of(classification: Classification) -> str:

@@ -120,10 +120,15 @@ def _drift(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Block
     forms = [Ref(f"form-{r.name}") for r in configuration.rows]
     moving = [r for r in configuration.rows if r.drift != 0]
     carry = plural(len(moving), "the moving constraint carries", "the moving constraints carry")
+    rates_of = {r.moves_with(slots) for r in moving}
+    rate = rates_of.pop() if len(rates_of) == 1 else None
+    differ: tuple[Part, ...] = ("Possible and virtual displacements differ",)
+    if rate is not None:
+        differ = (*differ, " unless ", math(rate, sp.S.Zero))
     fixed = [math(q) for q in slots.coordinates if q not in steps]
     rest: tuple[Part, ...] = ("with ", *listed(fixed), " fixed, ") if fixed else ()
     blocks: list[Block] = [
-        prose(f"Possible and virtual displacements differ, because {carry} the system along. For instance, ", *rest,
+        prose(*differ, f", because {carry} the system along. For instance, ", *rest,
               *listed(forms), plural(len(forms), " is satisfied by", " are satisfied by"), purpose=Purpose.DRIFT),
         display(*(Equation((differential(q), step)) for q, step in steps.items())),
         prose("and every other possible displacement differs from this one by a virtual displacement:"),

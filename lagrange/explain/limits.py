@@ -224,3 +224,13 @@ LONGER_SOLVED = 2
 
 LONGEST_IN_A_SENTENCE = 10
 """The most operations of Newton's law along one reaction that is written in its sentence."""
+
+LONGEST_VARIATION = 12
+"""Operations of the variation δV of the potential energy, as far as the principle says in a sentence what it is. Of two
+masses on springs it has 9.
+"""
+
+LONGEST_BESIDE_REST = 12
+"""Operations of the motions of the other coordinates at the frequency at which one is at rest. One of a vibration
+absorber has 6.
+"""

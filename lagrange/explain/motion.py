@@ -29,7 +29,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
-from lagrange.explain.limits import LONGEST_ACCELERATIONS
+from lagrange.explain.limits import LONGEST_ACCELERATIONS, LONGEST_VARIATION
 from lagrange.explain.statement import given_force
 from lagrange.explain.words import (
     are,
@@ -73,17 +73,29 @@ def explain_principle(motion: DalembertMotion) -> Step:
 
 def _multiplied(configuration: Configuration) -> Block:
     """How the principle follows from Newton's law."""
+    given = _potential_work(configuration)
     if not configuration.rows:
         laws = law_times_displacement(configuration, ", multiplied")
         terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
         one = " and summed, reads" if terms > 1 else ", reads"
         ending = ", summed, read" if " and " in laws else one
-        return prose(f"{_no_reactions(configuration)} {capital(laws)}{ending}")
+        return prose(_no_reactions(configuration), *(given or (" ",)), f"{capital(laws)}{ending}")
     terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
     add = ", and add" if terms > 1 else ""
     drop = plural(len(configuration.rows), "the reaction drops", "the reactions drop")
     words = f"Multiply {law_times_displacement(configuration, '')}{add}: {drop} out by "
-    return prose(words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
+    return prose(*given[1:], words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
+
+
+def _potential_work(configuration: Configuration) -> tuple[Part, ...]:
+    """`The forces with the potential V do the virtual work −δV, where δV = c (r − l) δr.`"""
+    if configuration.potential == 0:
+        return ()
+    potential, changed = configuration.potential_letter, configuration.potential_variation
+    short = changed != 0 and count_operations(changed) <= LONGEST_VARIATION
+    what = (", where ", math(variation(potential), changed)) if short else ()
+    work = math(-variation(potential))
+    return (" ", "The forces with the potential ", math(potential), " do the virtual work ", work, *what, ". ")
 
 
 def _no_reactions(configuration: Configuration) -> str:

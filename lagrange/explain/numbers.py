@@ -100,7 +100,10 @@ def _at_rest(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple
     """The angles of equilibria that a sine, cosine or tangent determines: one or two, as far as the range admits."""
     branches = view.equilibrium.branches if view.equilibrium is not None else ()
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
-    for b, verdict in zip(branches, verdicts, strict=True):
+    absent = view.in_numbers.absent if view.in_numbers is not None else ()
+    for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
+        if n in absent:
+            continue
         conditions = verdict.conditions if verdict is not None else ()
         for r, angles, stable in angles_of_branch(b, conditions, view.configuration.ranges, values):
             shown = [m for a in angles if (m := in_degrees(r.lhs.args[0], a, digits)) is not None]
@@ -128,7 +131,12 @@ def _given(solution: Solution, values: Values, digits: int) -> Iterator[Block]:
         if q is not None and q.is_number
     ]
     if given:
-        yield prose("Given: ", *listed(given), ".")
+        rate = solution.classification.rheonomic_with
+        at_rest: tuple[Part, ...] = ()
+        if rate is not None and values.put_in(rate) == 0:
+            at_rest = (" So nothing moves the constraints here: the system is scleronomic, and every possible "
+                       "displacement is a virtual one.",)  # fmt: skip
+        yield prose("Given: ", *listed(given), ".", *at_rest)
 
 
 def _at_positions_found(step: Step, solution: Solution, values: Values, digits: int) -> Iterator[Block]:

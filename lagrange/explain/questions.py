@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -46,6 +46,7 @@ from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Question
 
 if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.signs import SignCondition
     from lagrange.values.quantities import Values
 
 
@@ -317,10 +318,18 @@ def _answer(asked: Asked) -> Iterator[Block]:
     several = len(asked.branches) > 1
     yield prose(*_how(asked), detail=Detail.BRIEF)
     lines = [
-        replace(answer_line(b), label=answer_label(asked, n), condition=where_it_holds(b))
+        replace(answer_line(b), label=answer_label(asked, n), condition=where_it_holds(b, asked.divided_by))
         for n, b in enumerate(asked.branches, start=1)
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if divided := asked.divided_by:
+        vanish = listed((math(c.lhs, c.rhs) for c in divided), " or ")
+        yield prose("Where ", *vanish, ", the condition holds for every ", math(asked.question.quantity), ".",
+                    detail=Detail.BRIEF)  # fmt: skip
+    if (least := asked.least) is not None:
+        wave, relation, bound = least
+        yield prose("Since ", math(wave, sp.S.One, relation="≤"), ", this needs ",
+                    math(asked.branches[0].lhs, bound, relation=relation), ".", detail=Detail.BRIEF)  # fmt: skip
     if angles := [*_angles(asked)]:
         yield prose("That is ", *listed(angles), ".", detail=Detail.BRIEF)
     if any(b.limit and not b.states for b in asked.branches):
@@ -374,11 +383,16 @@ def in_degrees(name: sp.Expr, angle: sp.Expr, digits: int) -> Math | None:
         return None
 
 
-def where_it_holds(b: AnswerBranch) -> tuple[Part, ...]:
-    """The conditions in words; that a square is not negative needs no letters."""
-    square = (math(b.lhs, sp.S.Zero, relation="≥"),) if len(b.beyond_square) < len(b.conditions) else ()
-    others = sign_conditions(b.beyond_square)
-    return ("where ", *square, *(", " if square and others else ""), *others) if square or others else ()
+def where_it_holds(b: AnswerBranch, divided: Collection[SignCondition] = ()) -> tuple[Part, ...]:
+    """The conditions in words; that a long square is not negative needs no letters.
+
+    divided  that the factors do not vanish by which its equation was divided
+    """
+    square = b.of_square
+    long = sum(count_operations(c.lhs) for c in square) > LONGEST_IN_TEXT
+    stated = sign_conditions((*divided, *(() if long else square), *b.beyond_square))
+    words: tuple[Part, ...] = ("the right side is not negative", " and " if stated else "") if long else ()
+    return ("where ", *words, *stated) if words or stated else ()
 
 
 def _how(asked: Asked) -> tuple[Part, ...]:

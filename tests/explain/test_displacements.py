@@ -25,3 +25,9 @@ def test_displacements_and_rotations_are_in_one_display() -> None:
     [body] = [s.body for s in steps if s.rule is Rule.DISPLACEMENTS]
     [block] = [b for b in body if isinstance(b, Display)]
     assert [e.label for e in block.equations] == ["delta-top", "rotation-top"]
+
+
+def test_they_differ_only_where_something_moves() -> None:
+    steps = reported("ex09-moving-surface").derivation.steps
+    [step] = [s for s in steps if s.rule is Rule.DISPLACEMENTS]
+    assert "differ unless u, because the moving constraint" in words(step)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+import sympy as sp
 
 from lagrange.document.derivation import Rule
 from lagrange.explain.report import report
@@ -12,6 +13,7 @@ from lagrange.mechanics.results import Solution
 from lagrange.render import html, latex
 from lagrange.render.json import as_object
 from tests.support.derivation_text import said_in
+from tests.support.shared import solved
 
 
 @pytest.mark.parametrize(
@@ -78,3 +80,21 @@ def test_a_long_value_is_not_repeated_with_the_other_sign(problem: Callable[[str
     found = report(problem(GATE))
     text = latex.render([(found.derivation, found.notation)])
     assert "Of the two signs this one belongs to the first arrival." in " ".join(text.split())
+
+
+def test_a_factor_that_was_divided_away_is_stated() -> None:
+    said = said_in("governor", Rule.QUESTION)
+    assert "Where sin θ, the condition holds for every φ̇²." in said
+    assert "Since cos θ, this needs φ̇²." in said
+    [speed, *_] = solved("governor").asked
+    assert speed.least is not None
+    wave, relation, bound = speed.least
+    assert (str(wave), relation, str(sp.factor(bound))) == ("cos(theta)", ">", "g*(M + m)/(l*m)")
+
+
+def test_that_a_square_is_not_negative_is_said_by_its_factors() -> None:
+    """(M + m) g/(m l cos θ) ≥ 0 is cos θ > 0."""
+    [speed, *_] = solved("governor").asked
+    [b] = speed.branches
+    [c] = b.of_square
+    assert (str(c.lhs), c.relation, c.rhs) == ("cos(theta)", ">", 0)

@@ -18,7 +18,10 @@ from lagrange.algebra.closed_forms.limits import MOST_REDUCED_TERMS, MOST_REDUCE
 
 
 def where_zero(square: sp.Expr, relation: sp.Expr, variables: Collection[sp.Symbol]) -> sp.Expr:
-    """The square, or the form that it has where the relation is zero, if fewer terms stay under its root."""
+    """The square, or the form that it has where the relation is zero, if fewer terms stay under its root.
+
+    A form whose root would need the modulus of a coordinate is not taken: its sign would be that of the unit normal.
+    """
     used = [v for v in variables if relation.has(v)]
     if not 1 <= len(used) <= MOST_REDUCED_VARIABLES or not square.has(*used):
         return square
@@ -30,8 +33,15 @@ def where_zero(square: sp.Expr, relation: sp.Expr, variables: Collection[sp.Symb
     factored = sp.factor(square)
     pairs = [f.as_base_exp() for f in sp.Mul.make_args(factored)]
     by_factors = sp.Mul(*(_shortest(base, finite) ** n if base.has(*used) else base**n for base, n in pairs))
-    best = min((factored, by_factors, _shortest(factored, finite)), key=_under_the_root)
+    forms = [e for e in (by_factors, _shortest(factored, finite)) if not _has_moduli(e, used)]
+    best = min((factored, *forms), key=_under_the_root)
     return sp.factor(best) if _under_the_root(best) < _under_the_root(factored) else square
+
+
+def _has_moduli(e: sp.Expr, variables: Collection[sp.Symbol]) -> bool:
+    """Whether the root of e contains the modulus of something that may change its sign on the curve: |x| of x²."""
+    pairs = (f.as_base_exp() for f in sp.Mul.make_args(sp.factor(e)))
+    return any(n % 2 == 0 and base.has(*variables) for base, n in pairs)
 
 
 def _shortest(e: sp.Expr, relation: sp.Poly) -> sp.Expr:

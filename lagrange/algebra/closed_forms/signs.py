@@ -201,11 +201,13 @@ def _in_sines(e: sp.Expr) -> sp.Expr:
 
 
 def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[SignCondition, ...] | None:
-    """The conditions under which an expression is ≥ 0: none, one, or None if it is negative."""
+    """The conditions under which an expression is ≥ 0: none, one (b > 0 of 1/b), or None if it is negative."""
     positive = tuple(positive)
     sign = sign_of(expression, positive)
     if sign is None:
-        condition = _compared(expression, "≥", positive)
+        above, below = sp.fraction(expression)
+        inverse = above.is_positive and below.free_symbols
+        condition = _compared(below, ">", positive) if inverse else _compared(expression, "≥", positive)
         if condition.lhs.is_positive and condition.rhs == 0:  # a − b where √a > √b is known
             return ()
         return (condition,)

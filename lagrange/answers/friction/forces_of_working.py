@@ -19,11 +19,12 @@ import sympy as sp
 from lagrange.answers.limits import MOST_WORKING_FORCES
 from lagrange.answers.references import Reference
 from lagrange.answers.written.reading import is_name, read_as_written, undeclared
+from lagrange.answers.written.values import WHEN
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
-from lagrange.expressions.reader import limit_of
+from lagrange.expressions.reader import is_inequality, limit_of
 
 
 @record
@@ -98,6 +99,33 @@ def in_two(condition: Fragment) -> list[Fragment]:
     limit.keep(match.start("value"), len(condition.text))
     latex = is_latex(condition)
     return [equation.finished(latex=latex), limit.finished(latex=latex)]
+
+
+_IN_CASE = re.compile(
+    rf"\A(?P<condition>.*?{_SIGN}.*?)(?P<case>[\s,$(]*(?<![^\W\d_]){WHEN}\s+\$?[^=$]*?{_SIGN}[^$]*\$?\s*\)?)[\s.]*\Z",
+    re.DOTALL | re.IGNORECASE,
+)
+
+
+def without_case(answer: Sequence[Fragment], positions: Collection[str]) -> tuple[list[Fragment], str]:
+    """`tan(theta) <= 2 mu/(1 - mu nu) for mu nu < 1` without the only case of an answer, and this; empty for several.
+
+    positions  the names of coordinates, which do not occur in a case
+    """
+    stated = [(n, f) for n, f in enumerate(answer) if is_inequality(f)]
+    if len(stated) != 1:
+        return [*answer], ""
+    [(n, condition)] = stated
+    match = _IN_CASE.match(condition.text)
+    if match is None or {*re.findall(r"[^\W\d]\w*", match["case"])} & {*positions}:
+        return [*answer], ""
+    draft = Draft(condition)
+    kept = match["condition"].rstrip(" ,(")
+    draft.keep(0, len(kept))
+    if kept.count("$") % 2:
+        draft.apply([(len(kept), len(kept), "$")])
+    alone = draft.finished(latex=is_latex(condition))
+    return [*answer[:n], alone, *answer[n + 1 :]], match["case"].strip(" ,.$()")
 
 
 def in_both_senses(equation: Fragment) -> Iterator[Fragment]:

@@ -201,7 +201,8 @@ def by_directions(judged: Sequence[Fragment], solution: Solution) -> list[tuple[
     made: list[tuple[Fragment, ...]] = []
     for m in next((v.impending for v in solution.views if v.impending), ()):
         names = names_of_forces(m, newton)
-        about, positions = [], []
+        about: list[Fragment] = []
+        positions: list[Fragment] = []
         alone = [forces_put_in((f,), m, newton, reference) for f in judged]
         given = [f for f, p in zip(judged, alone, strict=True) if p.holds and not (p.positions or p.balance)]
         for f in judged:  # with N = ..., by which the sense of N is known

@@ -24,12 +24,13 @@ from lagrange.answers.questions.equilibrium_in_text import (
 )
 from lagrange.answers.questions.named_values import NOT_EQUAL, sides_agree, stated_in_numbers, without_place
 from lagrange.answers.questions.stability_in_text import with_sentences_on_stability
+from lagrange.answers.questions.texts.beside_motion import questions_of_condition, with_results_beside
 from lagrange.answers.questions.texts.frequency_labels import (
     is_characteristic,
     name_of_frequency,
     stated_frequencies,
 )
-from lagrange.answers.questions.values_in_text import asked_in_text, questions_of_condition
+from lagrange.answers.questions.values_in_text import asked_in_text
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
@@ -63,8 +64,6 @@ _HAMILTON = re.compile(
 
 def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on a text; that of `judge` if the text is about nothing else. Raises ProblemError."""
-    from lagrange.answers.questions.texts.beside_motion import with_results_beside
-
     judged = with_results_beside(answer, _judged(answer, solution, judge), solution)
     return with_sentences_on_stability(answer, judged, solution)
 

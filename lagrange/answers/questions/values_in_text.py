@@ -32,7 +32,7 @@ import sympy as sp
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.answers.limits import LETTERS_OF_STEM, LONGEST_RUN_OF_LETTERS
+from lagrange.answers.limits import LONGEST_RUN_OF_LETTERS
 from lagrange.answers.questions.asked_quantities import MAGNITUDES, check_asked, claims_of, with_stated_forces
 from lagrange.answers.questions.named_values import NOT_EQUAL, at_a_value, is_used_beside, label_of, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
@@ -503,37 +503,6 @@ def _holds_at_a_limit(
         if any(v.verdict is Verdict.EQUIVALENT for _, v in _verdicts(fragment, others, solution, special)):
             return True
     return False
-
-
-_CLAUSE = re.compile(
-    r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for|at)\s*\$?\s*\Z", re.I
-)
-_INTRODUCED = re.compile(r"\S\s+(?:if|when|where|once|provided(?: that)?|as soon as|for)\s*\$?\s*\Z", re.I)
-
-
-def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
-    """The questions that an equation may answer although it stands as a condition: `it leaves when θ = a`.
-
-    The clause before it names the question, or the question is for a parameter; `the speed is greatest when θ = π/2`
-    is about something else.
-    """
-    span = fragment.span(0, len(fragment.text))
-    line = span.source.text[: span.start].rsplit("\n", 1)[-1]
-    clause = _CLAUSE.search(line)
-    parameters = {p.symbol for p in solution.problem.parameters}
-    if clause is None:  # `beta = alpha throughout when I_2 = ...`
-        label = label_of(fragment) if _INTRODUCED.search(line) else ""
-        own = (a.question for a in solution.asked if a.question.quantity in parameters)
-        return {q.name for q in own if q.quantity.name == label}
-    words = {
-        w.lower()[:LETTERS_OF_STEM] for w in re.findall(r"[^\W\d_]+", clause["clause"]) if len(w) >= LETTERS_OF_STEM
-    }
-    return {
-        a.question.name
-        for a in solution.asked
-        if a.question.quantity in parameters
-        or any(w.lower()[:LETTERS_OF_STEM] in words for w in a.question.name.split("_") if len(w) >= LETTERS_OF_STEM)
-    }
 
 
 def _is_condition(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> bool:

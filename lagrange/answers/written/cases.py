@@ -416,7 +416,7 @@ _JOINS = re.compile(
 def about_special_cases(
     equations: Sequence[tuple[Fragment, Reading]], reference: Reference, *, at_rest: bool = False
 ) -> tuple[set[int], set[int]]:
-    """The indices of the equations that state a case, and of those that hold in one.
+    """The indices of the equations that state a case, and of those that hold in one and do not contradict the answer.
 
     at_rest  then only a parameter with a number is a case: other equations may be positions, or conditions of rest
     """
@@ -438,7 +438,9 @@ def about_special_cases(
             between = case.source.text[first.end : last.start]
             if "\n" not in between and (own is last or (before[-1:] == [m] and _JOINS.match(between))):
                 special.add(m)
-    return cases, special
+    others = [r for n, (_, r) in enumerate(equations) if n not in cases | special]
+    stated = [equations[n][1] for n in cases]
+    return cases, {n for n in special if not _is_contradicted(equations[n][1], stated, others)}
 
 
 def _before(fragment: Fragment) -> str:
@@ -456,7 +458,7 @@ def _gives_parameter(reading: Reading, reference: Reference) -> bool:
     return len(symbols) == 1 and symbols <= {*reference.parameters.values()}
 
 
-def contradicted_in_case(case: Sequence[Reading], special: Reading, others: Sequence[Reading]) -> bool:
+def _is_contradicted(special: Reading, case: Sequence[Reading], others: Sequence[Reading]) -> bool:
     """Whether a number stated for a special case contradicts what the same answer says in general."""
     values: dict[sp.Symbol, sp.Expr] = {}
     for reading in case:

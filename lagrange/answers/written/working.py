@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.answers.limits import LONGEST_LAW, LONGEST_WRITTEN_NAME, MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
-from lagrange.answers.written.cases import about_special_cases, contradicted_in_case
+from lagrange.answers.written.cases import about_special_cases
 from lagrange.answers.written.marked_names import with_indices_of_greek, with_primed_names
 from lagrange.answers.written.names import (
     AT_EQUILIBRIUM,
@@ -351,18 +351,14 @@ class _Sorting:
         """The lines about a special case, each with a note; none if there are no other lines."""
         for line in self.given:
             self._read(line)
-        given, lines = self.given, sorted([*self.given, *lines], key=lambda x: x.fragment.span(0, 0).start)
-        read = [(x.fragment, x.reading or Reading("")) for x in lines]
+        everything = sorted([*self.given, *lines], key=lambda x: x.fragment.span(0, 0).start)
+        read = [(x.fragment, x.reading or Reading("")) for x in everything]
         cases, special = about_special_cases(read, self.reference, at_rest=not self.values_are_asides)
-        others = [r for n, (_, r) in enumerate(read) if n not in cases | special]
-        special -= {n for n in special if contradicted_in_case([read[k][1] for k in cases], read[n][1], others)}
-        cases -= {n for n in cases if lines[n] in given}
-        if len(cases) + len(special) in (0, len(lines)):
-            return []
-        for n in sorted(cases | special):
-            what = "states" if n in cases else "is about"
-            self._note(lines[n], f"`{lines[n].text}` {what} a special case, and is not judged")
-        return [lines[n] for n in cases | special]
+        found = [(everything[n], n in cases) for n in sorted(cases | special) if everything[n] not in self.given]
+        found = found if len(found) < len(lines) else []
+        for line, states in found:
+            self._note(line, f"`{line.text}` {'states' if states else 'is about'} a special case, and is not judged")
+        return [line for line, _ in found]
 
     def _note_definition(self, line: Line, name: str) -> None:
         used = len(lines_with(name, self.texts)) > 1 or line.text.count("=") > 1

@@ -30,12 +30,14 @@ from lagrange.explain.words import (
     the,
     title_in,
 )
+from lagrange.mechanics.consequences.limits_of_a_load import first_limit, for_one_load
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.friction.balance import BeltLaw, RoughContact
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
+from lagrange.mechanics.equilibrium.loads import load_parameters
 
 ZERO = sp.S.Zero
 
@@ -153,13 +155,20 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
         so = (*listed(math(f) for f in rest.open), " exists, and so the system can be at rest, if and only if")
         words = ("Such a force ", *so) if rest.bounds else ("The system can be at rest if and only if",)
         yield prose(*(words if not rest.equations else ("and, in addition,",)))
+    loads = tuple(load_parameters(rest.configuration))
     for n, case in enumerate(rest.cases, start=1):
         number = f"-{n}" if several else ""
-        lines = [_line(c, f"rest{suffix}{number}-{k}") for k, c in enumerate(case, start=1)]
+        stated = for_one_load(case, loads)
+        lines = [_line(c, f"rest{suffix}{number}-{k}") for k, c in enumerate(stated, start=1)]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
     if rest.always is not None:
         c = rest.always
         yield prose("It holds in every position if ", math(c.right, c.left, relation="≥"), ".")
+    if (first := first_limit(rest)) is not None:
+        slips, tips = (math(first.coefficient, first.critical, relation=r) for r in "<>")
+        yield prose("As ", math(first.load), " grows, it slips first if ", slips, ". If ", tips, ", ",
+                    math(first.force), " vanishes first, and the contact of ",
+                    f"{constraints_called([first.constraint])} ends.", detail=Detail.BRIEF)  # fmt: skip
     if rest.unexamined:
         where = series(((math(e, ZERO),) for e in rest.unexamined), " or ")
         yield prose("Whether it can be at rest where exactly ", *where, " is not examined.")

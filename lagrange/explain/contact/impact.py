@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import prime, t, variation, velocity_before
 from lagrange.document.derivation import (
     Block,
@@ -21,6 +22,7 @@ from lagrange.document.derivation import (
     paragraph,
     prose,
 )
+from lagrange.explain.limits import LONGEST_IN_TEXT
 from lagrange.explain.words import (
     capital,
     constraints_called,
@@ -246,6 +248,8 @@ def _energy(motion: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
     yield prose("Beyond that work, the energy lost is" if blows else "The energy lost in the impact is")
     lost = earlier - T if not blows else earlier - T + motion.work
     yield display(Equation((lost, motion.energy_lost), label="energy-lost"), boxed=True)
+    if (share := motion.share_lost) is not None and 1 < count_operations(share) <= LONGEST_IN_TEXT:
+        yield prose("That is ", math(share), " of the energy before.", detail=Detail.BRIEF)
     if len(places) == 1:
         yield prose(f"It is lost at {constraints_called([places[0].name])}.")
     elif len({i.restitution for i in places}) > 1:

@@ -234,4 +234,7 @@ def _of_energy(energy: EnergyRate, choice: str, configuration: Configuration) ->
     if energy.rate.has(Unspecified):  # the forces may, or may not, have a potential
         return [prose("Along the motion the energy changes at the rate"), display(line)]
     along = Phrase(" Along the motion", Purpose.ALONG)
-    return [prose(f"The energy is not conserved{why}.", along), display(line, boxed=True)]
+    slots = configuration.slots
+    rate = None if energy.driven else energy.vanishes_with({*slots.coordinates, *slots.velocities, *slots.prescribed})
+    unless: tuple[Part, ...] = () if rate is None else (" unless ", math(rate, sp.S.Zero))
+    return [prose("The energy is not conserved", *unless, f"{why}.", along), display(line, boxed=True)]

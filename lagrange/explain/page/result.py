@@ -40,6 +40,7 @@ from lagrange.explain.limits import (
     LONGEST_ANSWER,
     LONGEST_ANSWER_CONDITIONS,
     LONGEST_ASKED,
+    LONGEST_BESIDE_REST,
     LONGEST_FREQUENCY,
     LONGEST_RADICAND,
     LONGEST_RESULT,
@@ -64,6 +65,7 @@ from lagrange.mechanics.rewriting.readable_forms import are_same_equations, are_
 from lagrange.problem.values import no_values
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.response import Response
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
     from lagrange.values.quantities import Values
 
@@ -261,14 +263,17 @@ def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
     solved = [e for b in displays for e in b.equations if (e.label or "").startswith("only-")]
     lines = [replace(e, label=None) for e in solved] or lines
     vectors = [*_displacements(steps)]
+    also = ""
     if vectors and not lines:
         same = "" if len(vectors) > 1 else " are the same"
-        lines, words = vectors, f"{words}; virtual and possible displacements{same}"
+        lines, also = vectors, f"; virtual and possible displacements{same}"
     described = _described(solution)
     if lines:
         after = [] if described is None else [described]
         yield Step(
-            Rule.RESULT, "", (prose(words, *unless, ":"), display(*lines, boxed=True, detail=Detail.BRIEF), *after)
+            Rule.RESULT,
+            "",
+            (prose(words, *unless, f"{also}:"), display(*lines, boxed=True, detail=Detail.BRIEF), *after),
         )
         return
     sentence = prose(words, *unless, ".")
@@ -439,7 +444,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates
         still = [
-            Equation((q, sp.S.Zero), condition=("where ", math(w**2, place)))
+            Equation((q, sp.S.Zero), condition=(*_beside_rest(view.response, place), "where ", math(w**2, place)))
             for q, places in zip(coordinates, view.response.rests, strict=True)
             for place in places
             if place.is_positive and count_operations(place) <= LONGEST_ANSWER_CONDITIONS
@@ -471,12 +476,16 @@ def _impact(solution: Solution) -> Iterator[Equation]:
         yield Equation(pair, condition=("just after",) if n == 0 else ())
     called = {i.symbol: spoken(i.name) for i in motion.impulses}
     singles = [(i.symbol, i.reaction.single) for i in motion.impulses]
-    acting = {s: ("the impulse on ", the(single.on), " along ", math(single.direction.as_sum()))
-              for s, single in singles if single is not None and single.direction is not None
-              and all(c.is_number for c in single.direction.components)}  # fmt: skip
+    along = {s: (the(single.on), single.direction) for s, single in singles
+             if single is not None and single.direction is not None
+             and all(c.is_number for c in single.direction.components)}  # fmt: skip
+    acting = {s: ("the impulse on ", on, " along ", math(u.as_sum())) for s, (on, u) in along.items()}
     none = [s for s, value in given.items() if value == 0]
+    backwards = {s: ("the impulse on ", on, " along ", math((-u).as_sum())) for s, (on, u) in along.items()}
     for symbol, value in given.items():
-        if value != 0:
+        if value.is_negative and symbol in backwards:
+            yield Equation((-symbol, -value), condition=backwards[symbol])
+        elif value != 0:
             yield Equation((symbol, value), condition=acting.get(symbol, ("the impulse of ", called[symbol])))
     if none:
         of = joined(called[s] for s in none)
@@ -521,8 +530,8 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
             clauses.append(("when ", *listed(map(as_stated, asked.question.when))))
         if conditions and sum(count_operations(c.lhs - c.rhs) for c in b.beyond_square) > LONGEST_ANSWER_CONDITIONS:
             clauses.append(("under conditions that are given below",))
-        elif conditions:
-            clauses.append(where_it_holds(replace(b, conditions=conditions)))
+        elif where := where_it_holds(replace(b, conditions=conditions), asked.divided_by):
+            clauses.append(where)
         angle = angle_of(asked, b)
         if angle is not None:
             clauses.append(("that is ", angle))
@@ -556,3 +565,10 @@ def _in_numbers(asked: Asked, b: AnswerBranch, values: Values) -> Equation | Non
 def _is_short(parts: Iterable[Sequence[Equation]]) -> bool:
     lines = [e for es in parts for e in es]
     return len(lines) <= MOST_RESULTS and sum(e.operations for e in lines) <= LONGEST_RESULT
+
+
+def _beside_rest(response: Response, place: sp.Expr) -> tuple[Part, ...]:
+    """`and y = −(F/c_2) cos ωt, `: what moves where another coordinate is at rest, if it is one and short."""
+    others = [*response.beside(place).items()]
+    short = len(others) == 1 and count_operations(others[0][1]) <= LONGEST_BESIDE_REST
+    return ("and ", math(*others[0]), " ") if short else ()

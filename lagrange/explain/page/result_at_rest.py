@@ -27,12 +27,14 @@ from lagrange.explain.page.conclusions.positions import stability_of
 from lagrange.explain.reactions import reaction_lines
 from lagrange.explain.rest.equilibrium import stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
+from lagrange.mechanics.consequences.limits_of_a_load import for_one_load
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization
+from lagrange.mechanics.equilibrium.loads import load_parameters
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, possible
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
@@ -92,10 +94,12 @@ def _equilibria(
     if view.equilibrium is None:
         return
     groups: list[list[Equation]] = []
+    unsolved = False
     reactions = view.reactions_at_rest.at if view.reactions_at_rest is not None else ()
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
     numbers, linearization = view.in_numbers, view.linearization
+    presupposed = () if view.equilibrium is None else view.equilibrium.presupposed
     if linearization is not None and [b.relations for b in linearization.branches] != [b.relations for b in branches]:
         numbers = None
     for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
@@ -128,6 +132,8 @@ def _equilibria(
         words = (*words, *(("; ",) if words and known else ()), *known)
         contact = _contact(reactions[n]) if reactions else ()
         words = (*contact, *(("; ",) if words and contact else ()), *words)
+        if presupposed and not words:
+            words = ("where ", *listed(math(f, sp.S.Zero, relation="≠") for f in presupposed))
         there = reactions[n] if newton is not None and n < len(reactions) else None
         forces = [] if there is None or newton is None else _named_reactions(there, newton)
         own = [r for r in b.relations if all(r not in o.relations for o in branches if o is not b)]
@@ -136,8 +142,16 @@ def _equilibria(
             place = min(own, key=lambda r: r.lhs not in angles)
             groups.append([replace(e, condition=("at ", math(place.lhs, place.rhs), *e.condition)) for e in forces])
             continue
-        groups.append(_branch(b, *words))
+        lines = _branch(b, *words)
+        if b.left and sum(e.operations for e in lines) > LONGEST_FREQUENCY and not all(o.left for o in branches):
+            unsolved = True
+            continue
+        groups.append(lines)
     groups = [lines for lines in groups if lines]
+    if unsolved and groups:
+        *before, last = groups[-1]
+        words = ("; " if last.condition else "", "others, if any, are not solved in closed form")
+        groups[-1] = [*before, replace(last, condition=(*last.condition, *words))]
     are_systems = any(len(lines) > 1 for lines in groups)
     for n, (*first, last) in enumerate(groups, start=1):
         yield from first
@@ -253,7 +267,9 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
     bounds: list[set[Mathematics]] = []
     if rest is not None and rest.cases:
         yield from (Equation(pair) for pair in rest.relations)
-        stated = [*_cases(strictest_cases(rest.cases, values))]
+        loads = tuple(load_parameters(view.configuration))
+        cases = [for_one_load(tuple(case), loads) for case in strictest_cases(rest.cases, values)]
+        stated = [*_cases(cases)]
         yield from stated
         bounds = [{*e.sides} for e in stated]
     if view.rolling is not None:

@@ -49,7 +49,7 @@ from lagrange.document.derivation import (
 from lagrange.explain.newton import works_when_moving
 from lagrange.explain.page.laws import missing_relations
 from lagrange.explain.reactions import pushed_side
-from lagrange.explain.words import capital, constraints_called, the
+from lagrange.explain.words import constraints_called, the
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.friction import FrictionForce
@@ -406,12 +406,14 @@ def _energy(s: OnSurface, step: Step) -> Step:
         shown += added
     rate = TimeDerivative(sp.Mul(sp.Rational(1, 2), s.mass, s.velocity**2))
     called = constraints_called([r.name])
+    words: tuple[Part, ...]
     if s.row.drift != 0:
-        words = (
-            f"Though the reaction does no virtual work, it does work on {the(s.name)}: {called} moves. Along the motion"
-        )
+        moved_by = s.row.moves_with(slots)
+        unless: tuple[Part, ...] = () if moved_by is None else (" unless ", math(moved_by, ZERO))
+        begins = f"Though the reaction does no virtual work, it does work on {the(s.name)}"
+        words = (begins, *unless, f": {called} moves. Along the motion")
     elif s.friction is not None:
-        words = "The reaction does no work, but friction takes energy. Along the motion"
+        words = ("The reaction does no work, but friction takes energy. Along the motion",)
     else:
-        words = "The surface does no work in the motion either: only the applied force changes the kinetic energy,"
-    return replace(step, body=(prose(capital(words)), display(Equation((rate, shown), label="energy-rate"))))
+        words = ("The surface does no work in the motion either: only the applied force changes the kinetic energy,",)
+    return replace(step, body=(prose(*words), display(Equation((rate, shown), label="energy-rate"))))

@@ -50,7 +50,7 @@ from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerm
 from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
 from lagrange.mechanics.rewriting.readable_forms import is_linear
-from lagrange.mechanics.rewriting.stable_frequencies import square_where_stable
+from lagrange.mechanics.rewriting.stable_frequencies import square_where_stable, where_defined
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
@@ -242,7 +242,7 @@ def explain_about(
     yield display(*lines, boxed=not hidden, detail=Detail.STEPS if hidden else Detail.BRIEF)
     yield from _bound(s, linearization)
     yield from _matrices(s)
-    yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
+    yield from _characteristic(n, b, s, linearization, Detail.FULL if hidden else Detail.STEPS)
     rest = "every position of rest" if noun == "equilibrium" else f"every such {noun}"
     named = (f"the {noun} ", place) if is_stated else (rest,)
     drift = s.judgement.stability.drift
@@ -252,7 +252,9 @@ def explain_about(
         yield prose(f"{several} to a uniform motion: ", *why_it_drifts(drift, V), ". So ", *named, " is ",
                     *but_for_drift(drift), ".", detail=Detail.BRIEF)  # fmt: skip
         return
-    yield from _verdict(named, s, label_about_equilibrium(linearization, "omega-1", n), exact=is_linear(linearization))
+    yield from _verdict(
+        named, where_defined(s, b), label_about_equilibrium(linearization, "omega-1", n), exact=is_linear(linearization)
+    )
 
 
 def _bound(s: SmallOscillations, linearization: Linearization) -> Iterator[Block]:
@@ -279,7 +281,9 @@ def _matrices(s: SmallOscillations) -> Iterator[Block]:
     yield Matrices(tuple(named), Detail.FULL)
 
 
-def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, detail: Detail) -> Iterator[Block]:
+def _characteristic(
+    n: int, b: Branch, s: SmallOscillations, linearization: Linearization, detail: Detail
+) -> Iterator[Block]:
     """det(K − ω² M) = 0, its roots with their modes."""
     unknown, c = s.unknown, s.characteristic
     if not s.oscillates:
@@ -322,7 +326,7 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
             ratios = _long_ratios(f, s, linearization)
             line = Equation((omega**2, f.square), label=label, condition=() if ratios else _mode(f, s, linearization))
             stability = s.judgement.stability
-            stable = square_where_stable(f.square, linearization.branches[n - 1], stability)
+            stable = square_where_stable(f.square, b, stability)
             if stable is not None:
                 where = ("where ", *sign_conditions(stability.conditions))
                 line = replace(line, sides=(*line.sides, stable), condition=line.condition or where)

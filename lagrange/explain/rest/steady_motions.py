@@ -11,6 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import prime, t
 from lagrange.document.derivation import (
     Block,
@@ -28,6 +29,7 @@ from lagrange.document.derivation import (
     prose,
     series,
 )
+from lagrange.explain.limits import LONGEST_BESIDE_REST
 from lagrange.explain.rest.oscillations import explain_about, explain_omitted, label_about_equilibrium
 from lagrange.explain.words import are, branch_conditions, plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.linearization import SmallOscillations
@@ -281,3 +283,6 @@ def _resonance(response: Response) -> Iterator[Block]:
         if lines:
             yield prose(math(q), " stays at rest, although the system is driven, at")
             yield display(*lines)
+            others = [math(*pair) for pair in response.beside(places[0]).items()] if len(places) == 1 else []
+            if others and sum(count_operations(e) for e in response.beside(places[0]).values()) <= LONGEST_BESIDE_REST:
+                yield prose("There ", *listed(others), ".", detail=Detail.BRIEF)

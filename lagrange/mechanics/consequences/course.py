@@ -5,8 +5,10 @@ that acceleration, and the sign is a condition between parameters: sin α > μ c
 
 *Released from rest.* With the energy ½ A(q) q'² + V(q) and one coordinate, a system released from rest at q_0 has
 q'² = 2 (V(q_0) − V(q))/A(q), as long as contact lasts. A force that can only push, N(q, q'²), vanishes where
-N(q, 2 (V(q_0) − V(q))/A(q)) = 0. A factor of it that is linear in sin q or cos q gives the place: a ladder leaves the
-wall at sin θ = ⅔ sin θ_0.
+N(q, 2 (V(q_0) − V(q))/A(q)) = 0. A factor of it that is linear in u = sin q or cos q gives the place: a ladder leaves
+the wall at sin θ = ⅔ sin θ_0. It ends exactly there if no other factor changes its sign and every other force that can
+only push is a quadratic a u² + b u + c with a > 0 and c − b²/(4 a) ≥ 0, which is never negative. Where the only heavy
+point has a height in proportion to u, it has fallen by the share 1 − u/u_0 of its height.
 
 *Rates that swing.* If b w' = c v and v' = −k w + d with constants b, c, k, d, then v'' = −(k c/b) v: v is a harmonic
 oscillation, although no spring is there (a ball that rolls in a vertical pipe).
@@ -18,6 +20,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
@@ -70,6 +73,11 @@ class Released:
 
     start     q_0
     provided  what must be positive; None if it is
+    exact     whether contact lasts until then
+    others    the other forces that can only push, known not to become negative before
+    fallen    by which share of its height the only heavy point has fallen
+    heavy     its name; empty if its height is not in proportion to `wave`
+    is_body   whether it is a mass centre
     """
 
     force: sp.Symbol
@@ -78,6 +86,11 @@ class Released:
     wave: sp.Expr
     place: sp.Expr
     provided: sp.Expr | None
+    exact: bool = False
+    others: tuple[sp.Symbol, ...] = ()
+    fallen: sp.Expr = sp.S.Zero
+    heavy: str = ""
+    is_body: bool = False
 
 
 def released(
@@ -100,6 +113,8 @@ def released(
     if inertia == 0 or (inertia.free_symbols | potential.free_symbols) & {v, t}:
         return
     square = (potential.xreplace({q: start}) - potential) / inertia
+    pushed = {s: sp.expand(forces[s]) for s in pushing if s in forces}
+    along = {s: e.xreplace({v**2: square}) for s, e in pushed.items() if not e.coeff(v, 1)}
     for force in sorted({*pushing} & {*forces}, key=str):
         value = sp.expand(forces[force])
         factor = value.coeff(v, 2)
@@ -111,8 +126,14 @@ def released(
         for wave in (sp.sin(q), sp.cos(q)):
             place = _place(rest + factor * square, potential, wave, (q, start))
             if place is not None:
-                provided = None if _is_acute(view, q) else wave.xreplace({q: start})
-                yield Released(force, q, start, wave, place, provided)
+                acute = _is_acute(view, q)
+                provided = None if acute else wave.xreplace({q: start})
+                others = tuple(sorted({*pushing} - {force}, key=str))
+                lasts = all(s in along and _is_never_negative(along[s], wave, (q, start)) for s in others)
+                only = _changes_sign_once(rest + factor * square, wave, (q, start), acute)
+                share, heavy = 1 - place / wave.xreplace({q: start}), _rises_with(view, wave)
+                is_body = any(r.name == heavy for r in view.configuration.rotations)
+                yield Released(force, q, start, wave, place, provided, lasts and only, others, share, heavy, is_body)
                 break
 
 
@@ -136,6 +157,55 @@ def _place(value: sp.Expr, potential: sp.Expr, wave: sp.Expr, names: tuple[sp.Sy
             if ratio.is_Rational and 0 < ratio < 1:
                 return ratio * wave.xreplace({q: start})
     return None
+
+
+def _in_waves(value: sp.Expr, wave: sp.Expr, names: tuple[sp.Symbol, sp.Symbol]) -> tuple[sp.Expr, sp.Symbol, sp.Expr]:
+    """A value with a letter for u and the other function of q, without even powers of this; the letter and u_0."""
+    q, start = names
+    other = sp.cos(q) if isinstance(wave, sp.sin) else sp.sin(q)
+    u = sp.Dummy("u", real=True)
+    first = wave.xreplace({q: start})
+    squared = sp.expand(sp.expand(value).xreplace({wave: u, other**2: 1 - u**2}))
+    return squared, u, first
+
+
+def _is_never_negative(value: sp.Expr, wave: sp.Expr, names: tuple[sp.Symbol, sp.Symbol]) -> bool:
+    """Whether it is a u² + b u + c with a > 0 and c − b²/(4 a) ≥ 0, over what is positive."""
+    shown, u, _ = _in_waves(value, wave, names)
+    above, below = sp.fraction(sp.together(shown))
+    if below.has(u) or sign_of(below) != 1 or above.has(names[0]) or not above.is_polynomial(u):
+        return False
+    quadratic = sp.Poly(above, u)
+    if quadratic.degree() != 2:
+        return False
+    a, b, c = quadratic.all_coeffs()
+    return sign_of(a) == 1 and sign_of(sp.expand(c - b**2 / (4 * a))) in (0, 1)
+
+
+def _changes_sign_once(value: sp.Expr, wave: sp.Expr, names: tuple[sp.Symbol, sp.Symbol], acute: bool) -> bool:
+    """Whether the factors of a force other than u − ρ u_0 are positive: of cos θ (3 sin θ − 2 sin θ_0) cos θ is."""
+    q, start = names
+    first = wave.xreplace({q: start})
+    quotient = sp.factor(sp.together(sp.expand(value)))
+    own = [f for f in sp.Mul.make_args(quotient) if f.has(wave) and f.has(first)]
+    if len(own) != 1 or sign_of(own[0].coeff(wave, 1)) != 1:
+        return False
+    rest = quotient / own[0]
+    known = {sp.sin(q): sp.Dummy(positive=True), sp.cos(q): sp.Dummy(positive=True)} if acute else {}
+    return sign_of(rest.xreplace(known)) == 1
+
+
+def _rises_with(view: InCoordinates, wave: sp.Expr) -> str:
+    """The only heavy point, if its height is in proportion to u and does not depend on q otherwise; empty if not."""
+    points = [p for p in view.configuration.points if p.mass != 0]
+    if len(points) != 1:
+        return ""
+    weights = [f for f in view.configuration.loads if f.on == points[0].name and f.name == "weight"]
+    if len(weights) != 1:
+        return ""
+    place, down = points[0].position.fixed(), weights[0].vector.fixed()
+    height = sp.expand(-sum(a * b for a, b in zip(place.components, down.components, strict=True)))
+    return points[0].name if sp.cancel(height / wave).is_positive else ""
 
 
 def _is_acute(view: InCoordinates, q: sp.Symbol) -> bool:

@@ -2,9 +2,10 @@
 
 An equation of motion E(q, q', q'', p) = 0 is polynomial in its parameters once denominators are cleared. At
 p = 0 it stays the equation of the system if its accelerations are still determined, that is, if the matrix ∂E/∂q'' is
-regular there. For p -> oo the same is asked of the leading coefficients in p, and equal parameters are substituted.
-With roots in p, as in the root of c² − v², the acceleration is taken at 1/p = 0. Of a reaction the limit at p = 0 is
-its value there; what can only push has to push there.
+regular there, and no term is neglected in which the velocity of a cyclic coordinate may grow: in a cone whose angle α
+vanishes, r φ'² sin² α is p²/(m² r³ sin² α) by the momentum. For p -> oo the same is asked of the leading coefficients
+in p, and equal parameters are substituted. With roots in p, as in the root of c² − v², the acceleration is taken at
+1/p = 0. Of a reaction the limit at p = 0 is its value there; what can only push has to push there.
 
 Only limits are kept that leave less to read, and that have a name or a solved form: uniform or uniformly accelerated
 motion, harmonic oscillation, the simple pendulum, Kepler's problem. The equation again with a term less is none.
@@ -30,6 +31,7 @@ from lagrange.core.symbols import Unspecified, base, partial, prime, t
 from lagrange.mechanics.limits import LONGEST_LIMIT, LONGEST_WITH_LIMITS, MOST_LIMITS
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.readable_forms import is_same
+from lagrange.problem.model import Assumption
 
 _UNDEFINED = (sp.zoo, sp.nan, sp.oo, -sp.oo)
 
@@ -43,6 +45,7 @@ class Named(Enum):
     PENDULUM = "a simple pendulum"
     CIRCLE = "uniform motion in a circle"
     INVERSE_SQUARE = "a central force inversely proportional to the square of the distance"
+    FREE = "the equations of a free particle in a plane, in polar coordinates"
 
 
 @record
@@ -111,11 +114,13 @@ def limiting_cases(
     kept = {*by_unit["m"], *by_unit["m/s"], *(by_unit["kg"] if len(by_unit["kg"]) == 1 else ())}
     fast = [s for s in symbols if s in by_unit["m/s"]]
     constants = {p.symbol for p in solution.problem.parameters}
-    for parameter, to in (*((s, sp.oo) for s in fast), *_candidates(symbols, len(equations) > 1)):
+    acute = {p.symbol for p in solution.problem.parameters if p.assume is Assumption.ACUTE}
+    flat = ((s, sp.pi / 2) for s in symbols if s in acute and len(equations) > 1)
+    for parameter, to in (*((s, sp.oo) for s in fast), *_candidates(symbols, len(equations) > 1), *flat):
         if to == 0 and parameter in kept:
             continue
         limit = _limit(equations, parameter, to, view)
-        if limit is None or limit in limits:
+        if limit is None or limit in limits or (to == 0 and _neglects_what_may_grow(equations, parameter, view)):
             continue
         if to == sp.oo and not any(e.free_symbols & constants for e in limit):
             continue  # of what the problem is about nothing is left
@@ -145,6 +150,20 @@ def limiting_cases(
         limits.append(limit)
         if len(limits) == MOST_LIMITS:
             return
+
+
+def _neglects_what_may_grow(equations: Sequence[sp.Expr], parameter: sp.Symbol, view: InCoordinates) -> bool:
+    """Whether an equation loses the velocity of a cyclic coordinate whose momentum depends on other coordinates."""
+    slots = view.configuration.slots
+    symbols = {s for e in equations for s in e.free_symbols}
+    for q, v, a in zip(slots.coordinates, slots.velocities, slots.accelerations, strict=True):
+        own = [e for e in equations if a in e.free_symbols and {*slots.velocities} & e.free_symbols - {v}]
+        if q in symbols or not own:
+            continue
+        others = [e for e in equations if a not in e.free_symbols and v in e.free_symbols]
+        if any(v not in e.xreplace({parameter: sp.S.Zero}).free_symbols for e in others):
+            return True
+    return False
 
 
 def _has_functions(equations: Sequence[sp.Expr]) -> bool:
@@ -328,7 +347,9 @@ def _inverse_square(equations: Sequence[sp.Expr], view: InCoordinates) -> NamedM
         if first is None or second is None or sp.cancel(second + 2 * prime(r) * prime(phi) / r) != 0:
             continue
         constant = sp.cancel((r * prime(phi) ** 2 - first) * r**2)
-        if not constant.free_symbols & {*slots.coordinates, *slots.velocities, t} and constant != 0:
+        if constant == 0:
+            return NamedMotion(Named.FREE, r, constant)
+        if not constant.free_symbols & {*slots.coordinates, *slots.velocities, t}:
             return NamedMotion(Named.INVERSE_SQUARE, r, constant)
     return None
 

@@ -157,6 +157,12 @@ class Classification:
         return all_hold(verdicts)
 
     @property
+    def rheonomic_with(self) -> sp.Symbol | None:
+        """The parameter that may be zero, and without which the system would be scleronomic."""
+        timed = {c.row.moves_with(self.constrained.slots) for c in self.constraints if c.depends_on_time}
+        return timed.pop() if len(timed) == 1 and not self.moving and not self.driven else None
+
+    @property
     def degrees_of_freedom(self) -> int:
         """The number of independent virtual displacements."""
         return self.coordinates - self.rank

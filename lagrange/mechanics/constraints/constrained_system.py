@@ -16,7 +16,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, multiplier
+from lagrange.core.symbols import Slots, multiplier, t
 
 
 @record
@@ -51,6 +51,16 @@ class Row:
     def form(self) -> tuple[sp.Expr, ...]:
         """The coefficients of all differentials, including dt, shape (n + 1,)."""
         return (*self.coefficients, self.drift)
+
+    def moves_with(self, slots: Slots) -> sp.Symbol | None:
+        """A parameter that may be zero, and without which it would contain no time: the velocity u of a surface."""
+        parts = self.form if self.finite is None else (*self.form, self.finite)
+        moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
+        for p in sorted((s for s in self.drift.free_symbols - moving if s.is_zero is None), key=str):
+            resting = [e.xreplace({p: sp.S.Zero}) for e in (self.drift, *parts)]
+            if resting[0] == 0 and not any(t in e.free_symbols for e in resting):
+                return p
+        return None
 
     @property
     def multiplier(self) -> sp.Symbol:

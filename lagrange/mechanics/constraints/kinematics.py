@@ -23,7 +23,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, free_letter, partial, prime, t
+from lagrange.core.symbols import Slots, free_letter, partial, prime, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.springs_dampers import (
@@ -100,6 +100,7 @@ class Configuration:
     rotations   of the bodies
     torques     the applied moments
     ranges      of the coordinates that have one
+    bounded     the replaced coordinates with a range that are no angles, in the present ones
     velocity_part  what the Lagrangian has beside T − V: terms of a given Lagrangian, or of potentials, with velocities
     generalized  shape (n,), or none: the generalized forces that the file gives as such
     is_outright  whether the file gives the Lagrangian: then there are no masses, and −V is its part without velocities
@@ -123,6 +124,13 @@ class Configuration:
     is_outright: bool = False
     variable_masses: tuple[VariableMass, ...] = ()
     potential_letter: sp.Symbol = POTENTIAL_LETTER
+    bounded: tuple[tuple[sp.Expr, Range], ...] = ()
+
+    @property
+    def potential_variation(self) -> sp.Expr:
+        """δV = Σ ∂V/∂q δq: the forces with the potential V do the virtual work −δV."""
+        slopes = ((q, textbook_form(partial(self.potential, q))) for q in self.slots.coordinates)
+        return sp.Add(*(slope * variation(q) for q, slope in slopes))
 
     @property
     def velocity_potential(self) -> sp.Expr:
@@ -346,6 +354,11 @@ def substituted_configuration(
     constrained = ConstrainedSystem(slots, rows)
     blank = Configuration(name, constrained, (), (), sp.S.Zero, expressed)
     rule = blank.substitution
+    places = [*original.finite_constraints, *(c for p in original.points for c in p.position.fixed().components)]
+
+    def turns(q: sp.Symbol) -> bool:
+        return any(q in f.free_symbols for e in places for f in e.atoms(sp.sin, sp.cos, sp.tan))
+
     points = tuple(_moving(p.name, p.mass.xreplace(rule), p.position.xreplace(rule), slots) for p in original.points)
     loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
     springs = tuple(rewritten_spring(s, rule) for s in original.springs)
@@ -371,6 +384,7 @@ def substituted_configuration(
         generalized=_pulled_back(original, expressed, rule, coordinates),
         is_outright=original.is_outright,
         variable_masses=tuple(rewritten_mass(m, rule, slots) for m in original.variable_masses),
+        bounded=tuple((expressed[q], r) for q, r in original.ranges.items() if q in expressed and not turns(q)),
     )
 
 

@@ -27,7 +27,7 @@ from lagrange.algebra.fourier.terms import Exponent, as_term, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import all_hold, record
-from lagrange.core.symbols import partial, prime
+from lagrange.core.symbols import partial, prime, t
 from lagrange.mechanics.constraints.constrained_system import Row, is_pfaffian
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -142,6 +142,12 @@ class EnergyRate:
     rate: sp.Expr | None
     driven: tuple[str, ...] = ()
     hidden: bool = False
+
+    def vanishes_with(self, state: Collection[sp.Symbol]) -> sp.Symbol | None:
+        """The parameter that may be zero and without which the rate vanishes: the moment L of L φ'."""
+        rate = sp.S.Zero if self.rate is None else self.rate
+        without = (s for s in sorted(rate.free_symbols - {*state, t}, key=str) if s.is_zero is None)
+        return next((s for s in without if rate.xreplace({s: sp.S.Zero}) == 0), None)
 
 
 @record

@@ -41,8 +41,8 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import further_conditions
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
-from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, Relation, SolutionSet, with_shares_of_pi
+from lagrange.algebra.closed_forms.single_equation import Relation, Values
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, with_shares_of_pi
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero, rank
@@ -88,6 +88,32 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
 
     restricted = replace(b, points=kept, implied=(*b.implied, *known), conditions=conditions)
     return with_shares_of_pi(restricted, solution.letters, solution.unknowns, inside)
+
+
+def within_bounds(b: Branch, bounded: Sequence[tuple[sp.Expr, Range]], solution: SolutionSet) -> Branch | None:
+    """The branch where functions of the coordinates are within bounds; None if at all of its points one is not.
+
+    Of a rod in a bowl the distance 2 r cos θ from its lower end to the rim is at most its length.
+    """
+    if not bounded or b.left or b.special or len(b.points) != 1:
+        return b
+    [point] = b.points
+    margins = [m for e, r in bounded for m in (e - r.low, r.high - e)]
+    positive = [c.lhs - c.rhs for c in b.conditions if c.relation == ">"]
+    conditions = list(b.conditions)
+    for margin in margins:
+        try:
+            value = solution.at(point, sp.expand_trig(margin))
+        except (NotAlgebraicError, DivisionByZeroError):
+            continue
+        if value.free_symbols & {*solution.unknowns} or count_operations(value) > LONGEST_RANGE_CONDITION:
+            continue
+        needed = not_negative(sp.factor(value), positive)
+        if needed is None:
+            return None
+        conditions += needed
+    shorter = further_conditions(tuple(dict.fromkeys(conditions)))
+    return None if shorter is None else replace(b, conditions=shorter)
 
 
 def _is_between(value: sp.Expr, limits: Range) -> bool:
@@ -193,7 +219,8 @@ def _bounds_of_wave(
     for edge, outermost, sense in ((low, begin, 1), (high, end, -1)):
         if edge != outermost and count_operations(r.rhs) <= LONGEST_RANGE_CONDITION:
             sense = -sense if falls else sense
-            at_most = [] if wave(outermost).is_infinite else not_negative(sense * (r.rhs - wave(outermost)), positive)
+            is_bound = not wave(outermost).is_infinite
+            at_most = not_negative(sense * (r.rhs - wave(outermost)), positive) if is_bound else None
             for c in not_negative(sense * (r.rhs - wave(edge)), positive) or ():
                 yield c, at_most[0] if at_most else None
 

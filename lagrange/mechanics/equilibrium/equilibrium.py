@@ -27,6 +27,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import without_squares
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, is_outside_circular
@@ -49,6 +50,7 @@ from lagrange.mechanics.equilibrium.admissible_positions import (
     place_as_drawn,
     symmetric_places,
     within,
+    within_bounds,
 )
 from lagrange.mechanics.equilibrium.loads import at_rest, load_parameters, solved_for
 
@@ -212,11 +214,16 @@ class Equilibrium:
 
     @property
     def presupposed(self) -> tuple[sp.Expr, ...]:
-        """Factors of conditions that must not vanish at a given position for the forces to be determined there."""
+        """What must not vanish at a given position for the forces to be determined there.
+
+        Factors of conditions, and what the forces have as divisors: x and sin θ at the dead centres of a crank.
+        """
         if not self.given or self.needs_multipliers:
             return ()
         coordinates = set(self.configuration.slots.coordinates)
-        factors = (f for c in self.conditions for f in common_factor(c.expression).nonzero)
+        factors = [f for c in self.conditions for f in common_factor(c.expression).nonzero]
+        below = (sp.fraction(r.rhs)[1] for b in self.branches for r in b.relations if r.lhs in self.forces)
+        factors += [f.as_base_exp()[0] for d in below for f in sp.Mul.make_args(d) if sign_of(f) is None]
         return tuple(dict.fromkeys(f for f in factors if f.free_symbols & coordinates and f not in self.forces))
 
 
@@ -407,12 +414,14 @@ def _for_all(e: Equilibrium, place: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
     if not solution.solved:
         verdicts = [solution.verified] if any(not b.left for b in branches) else []
         drawn = [*place_as_drawn(e.configuration)]
-        for place in (*symmetric_places(equations, coordinates), *drawn):
-            there = solved(*place)
+        # with the multipliers put in: the tensions of two strings that are equal make a position symmetric
+        left = [r.residual for b in branches if b.left for r in b.equations]
+        for assumed in (*symmetric_places([*equations, *left], coordinates), *drawn):
+            there = solved(*assumed)
             beside, _ = _without(there.branches, multipliers)
             stated = {b.relations for b in branches}
             # Of a drawing that fits particular parameters only, strings of equal length, nothing is known in general.
-            fitting = [b for b in beside if not (b.special and place in drawn)]
+            fitting = [b for b in beside if not (b.special and assumed in drawn)]
             closed = (b for b in fitting if not b.left and b.relations not in stated)
             more = [b for b in closed if not any(is_part(b, o, solution) for o in branches)]
             branches = (*more, *branches)
@@ -421,6 +430,8 @@ def _for_all(e: Equilibrium, place: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
     excluded, _ = _without(solution.excluded, multipliers)
     ranges = e.configuration.ranges
     restricted = [within(b, ranges, solution) for b in branches] if ranges else branches
+    bounded = e.configuration.bounded
+    restricted = [b if b is None else within_bounds(b, bounded, solution) for b in restricted]
     outside = tuple(b for b, inside in zip(branches, restricted, strict=True) if inside is None)
     branches = tuple(b for b in restricted if b is not None)
     singular = tuple(

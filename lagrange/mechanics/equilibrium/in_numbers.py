@@ -214,6 +214,8 @@ def _positions(
             coordinates = _coordinates(b, e, values, at)
             if any(_is_outside(q, coordinates, e, values) for q in e.configuration.ranges):
                 continue
+            if any(_is_beyond(x, r, at) for x, r in e.configuration.bounded):
+                continue
             verdict = _verdict(stability, at)
             modes = () if oscillations is None else _oscillations(oscillations, at, values)
             decays = () if oscillations is None else _decays(oscillations, at, values)
@@ -256,6 +258,12 @@ def _is_outside(q: sp.Symbol, measured: Mapping[sp.Symbol, Quantity], e: Equilib
         return False
     signs = [real_value(x) for x in numbers]
     return all(x > CERTAIN for x in signs) if complement and signs else any(x < -CERTAIN for x in signs)
+
+
+def _is_beyond(x: sp.Expr, limits: Range, at: Evaluate) -> bool:
+    """Whether a coordinate that the choice has replaced is outside of its range."""
+    margins = [at(sp.expand_trig(m)) for m in (x - limits.low, limits.high - x)]
+    return any(m.is_number and real_value(m) < -CERTAIN for m in margins)
 
 
 def angles_of_branch(

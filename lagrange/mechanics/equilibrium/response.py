@@ -116,6 +116,16 @@ class Response:
         c, s = sp.cos(self.drive.frequency * t), sp.sin(self.drive.frequency * t)
         return tuple(a * c + b * s for a, b in zip(self.cosines, self.sines, strict=True))
 
+    def beside(self, rest: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+        """How the other coordinates oscillate where one is at rest, at ω² = `rest`: −(F/c_2) cos ωt of an absorber."""
+        w = self.drive.frequency
+        if not w.is_Symbol or not rest.is_positive:
+            return {}
+        c, s, root = sp.cos(w * t), sp.sin(w * t), {w: sp.sqrt(rest)}
+        states = zip(self.forced.configuration.slots.coordinates, self.cosines, self.sines, strict=True)
+        there = {q: tuple(sp.cancel(sp.together(e.xreplace(root))) for e in pair) for q, *pair in states}
+        return {q: a * c + b * s for q, (a, b) in there.items() if (a, b) != (0, 0)}
+
     @property
     def at_resonance(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """Without damping, the frequency of the drive at each resonance, or its square where a root would be long."""

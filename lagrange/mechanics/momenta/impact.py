@@ -137,6 +137,19 @@ class ImpulsiveMotion:
         """What the kinetic energy gains beyond the work of the blows."""
         return sp.expand(-self.energy_lost)
 
+    @property
+    def share_lost(self) -> sp.Expr | None:
+        """The energy lost as a share of that before, where it is a function of the masses alone: M/(M + m)."""
+        before = self.kinetic[0]
+        if self.energy_lost == 0 or before == 0 or self.full.loads or self.full.torques:
+            return None
+        share = sp.factor(sp.cancel(self.energy_lost / before))
+        return None if share.free_symbols & {*before.free_symbols} - self._masses else share
+
+    @property
+    def _masses(self) -> set[sp.Symbol]:
+        return {s for p in self.full.points for s in p.mass.free_symbols}
+
     def at(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file's coordinates in these ones, in the position of the impact."""
         return self.configuration.rewritten(expression).xreplace(self.position)

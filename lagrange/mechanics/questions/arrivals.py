@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import sympy as sp
 
@@ -87,7 +88,7 @@ class Arrivals:
                 parted.append(in_contact)
                 continue
             others = [c for c in (*b.conditions, *reach.conditions) if not _follows(c, in_contact)]
-            conditions = tuple(dict.fromkeys((*others, *in_contact)))
+            conditions = tuple(dict.fromkeys((*map(partial(self._in_finite_time, b), others), *in_contact)))
             limit = any(self._is_equilibrium(s) for s in b.states[:1])
             is_open = reach.verdict is Reached.OPEN
             kept.append(replace(b, conditions=conditions, provided=is_open, limit=limit))
@@ -206,6 +207,22 @@ class Arrivals:
             if sign(a.diff(v).xreplace({v: end})) == -1 and sign(a.xreplace({v: start})) == way:
                 return True
         return False
+
+    def _in_finite_time(self, b: AnswerBranch, c: SignCondition) -> SignCondition:
+        """A condition |x| ≤ 1 of an angle acos x without equality, where the motion only approaches that place.
+
+        A pendulum with just the energy to get upright never gets there: 4 g l > v².
+        """
+        state = b.states[0] if b.states else {}
+        for q, angle in state.items() if c.relation in "≥≤" else ():
+            if not isinstance(angle, sp.acos):
+                continue
+            margin = (c.lhs - c.rhs) * (1 if c.relation == "≥" else -1)
+            for end in (1, -1):
+                ratio = sp.cancel(margin / (1 - end * angle.args[0]))
+                if sign_of(ratio) == 1 and self._is_equilibrium({**state, q: sp.acos(end)}):
+                    return replace(c, relation=">" if c.relation == "≥" else "<")
+        return c
 
     def _is_equilibrium(self, state: SymbolValues) -> bool:
         """Whether the motion only approaches a state: velocities and accelerations vanish there."""

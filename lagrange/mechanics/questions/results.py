@@ -106,6 +106,17 @@ class AnswerBranch:
             return self.conditions
         return tuple(c for c in self.conditions if not _says_that(c, self.rhs))
 
+    @property
+    def of_square(self) -> tuple[SignCondition, ...]:
+        """What makes the square on the left not negative, without factors of known sign: cos θ > 0 for g/(l cos θ)."""
+        if len(self.beyond_square) == len(self.conditions):
+            return ()
+        above, below = sp.fraction(sp.factor(sp.together(self.rhs)))
+        open_ = {f for f in sp.Mul.make_args(above) if sign_of(f) != 1}
+        strict = {f for f in sp.Mul.make_args(below) if sign_of(f) != 1}
+        relation = "≥" if open_ else ">"
+        return (SignCondition(sp.Mul(*open_, *strict), relation, sp.S.Zero),)
+
     def where_reached(self) -> AnswerBranch:
         """The branch without the conditions that the motion gets to a place: they say that a root in its value is real,
         or at length that the square of a velocity there is not negative, which is left to the reader.
@@ -234,6 +245,34 @@ class Asked:
     def answered(self) -> bool:
         """Whether there is an answer in closed form or in numbers."""
         return bool(self.branches)
+
+    @property
+    def divided_by(self) -> tuple[SignCondition, ...]:
+        """sin θ ≠ 0 for a factor of the one condition on the quantity: where it vanishes, any φ'² will do."""
+        symbols = self.quantity.free_symbols - {self.question.by}
+        equations = [a - b for a, b in self.conditions if (a - b).free_symbols & symbols]
+        if self.route is not Route.STATE or self.question.by is None or len(equations) != 1:
+            return ()
+        factors = sp.Mul.make_args(sp.factor(sp.fraction(sp.together(equations[0]))[0]))
+        bases = (f.as_base_exp()[0] for f in factors if not f.free_symbols & symbols)
+        open_ = (f for f in bases if self.question.by in f.free_symbols and sign_of(f) is None)
+        return tuple(SignCondition(f, "≠", sp.S.Zero) for f in open_)
+
+    @property
+    def least(self) -> tuple[sp.Expr, str, sp.Expr] | None:
+        """cos θ, > and k for the value k/cos θ that holds for sin θ ≠ 0: it is more than k. None for other forms."""
+        if self.question.by is None or self.route is not Route.STATE or len(self.branches) != 1:
+            return None
+        [b] = self.branches
+        varying = [f.as_base_exp() for f in sp.Mul.make_args(b.rhs) if self.question.by in f.free_symbols]
+        if len(varying) != 1 or not isinstance(varying[0][0], sp.cos | sp.sin):
+            return None
+        [(wave, power)] = varying
+        other = (sp.sin if isinstance(wave, sp.cos) else sp.cos)(*wave.args)
+        k = b.rhs / wave**power
+        if wave.args != (self.question.by,) or not power.is_negative or sign_of(k) != 1:
+            return None
+        return wave, ">" if other in (c.lhs for c in self.divided_by) else "≥", k
 
     @property
     def is_open(self) -> bool:

@@ -6,12 +6,16 @@ cos θ = g/√(a² + g²): ω² = √(a² + g²)/l, as it is printed in books.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
+from lagrange.mechanics.equilibrium.linearization import SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability
+from lagrange.mechanics.rewriting.readable_forms import divisors
 
 
 def square_where_stable(square: sp.Expr, b: Branch, stability: Stability) -> sp.Expr | None:
@@ -44,3 +48,11 @@ def _cosine(r: Relation, angle: sp.Expr, stability: Stability) -> sp.Expr | None
         sign = sign if r.rhs.is_positive else -sign
     above, below = sp.fraction(sp.together(1 + r.rhs**2))
     return sign * sp.sqrt(below) / sp.sqrt(above)
+
+
+def where_defined(s: SmallOscillations, b: Branch) -> SmallOscillations:
+    """The verdict without conditions without which the branch has no place: φ' ≠ 0 for r = g/(φ'² sin α tan α)."""
+    stability = s.judgement.stability
+    below = divisors([r.rhs for r in b.relations])
+    kept = tuple(c for c in stability.presupposed if c.relation != "≠" or c.lhs not in below)
+    return replace(s, judgement=replace(s.judgement, stability=replace(stability, presupposed=kept)))

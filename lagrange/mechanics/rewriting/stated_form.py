@@ -18,10 +18,10 @@ from fractions import Fraction
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.algebra.fourier.terms import CommonFactor, never_vanishes
+from lagrange.algebra.fourier.terms import CommonFactor
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
-from lagrange.core.symbols import Unspecified, partial
+from lagrange.core.symbols import Unspecified, never_vanishes, partial
 from lagrange.mechanics.dynamics.conservation import Integral
 from lagrange.mechanics.dynamics.equations import EquationOfMotion
 from lagrange.mechanics.limits import LONGEST_AT_ONCE, LONGEST_COMBINED

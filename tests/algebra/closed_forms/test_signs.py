@@ -230,3 +230,9 @@ def test_a_difference_of_roots_has_the_sign_that_its_squares_are_known_to_have()
     assert sign_of(e, [4 * U - 2 * m * v**2]) == 1
     assert sign_of(-e, [4 * U - 2 * m * v**2]) == -1
     assert sign_of(e, [2 * m * v**2 - 4 * U]) == -1
+
+
+def test_what_only_divides_may_not_vanish() -> None:
+    a, theta = sp.Symbol("a", positive=True), sp.Symbol("theta", real=True)
+    assert not_negative(a / sp.cos(theta)) == (SignCondition(sp.cos(theta), ">", sp.S.Zero),)
+    assert not_negative(a * sp.cos(theta)) == (SignCondition(sp.cos(theta), "≥", sp.S.Zero),)

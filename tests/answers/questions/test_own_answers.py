@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.answers.examiner import Examiner
 from lagrange.answers.questions.own_answers import compared_answers
-from lagrange.core.diagnostics import ProblemError
+from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import ProblemError, Source
+from lagrange.problem.loader import read_problem
 from tests.support.linearized_systems import HOOP, PENDULUM, solved
 
 
@@ -21,3 +24,17 @@ def test_equilibria_of_the_motion_in_answers() -> None:
         text = stated.replace("Omega^2", "Omega") if wrong else stated
         [answer] = compared_answers(solved(HOOP, f"find: linearization\nanswers: {{equilibrium: {text}}}"))
         assert (answer.verdict.value == "equivalent") != wrong
+
+
+def test_a_file_may_state_some_of_the_first_integrals() -> None:
+    """Of two masses joined by a spring the momentum alone, as a book does; a wrong one is found all the same."""
+    text = """title: Two masses
+parameters: [m, k]
+coordinates: [x, y]
+particles: {A: {mass: m, position: x*i}, B: {mass: m, position: y*i}}
+forces: {spring: {potential: k*(y - x)^2/2}}
+answers: {conserved: ["m*x' SIGN m*y' = const"]}
+"""
+    for sign, verdict in (("+", Verdict.EQUIVALENT), ("-", Verdict.WRONG)):
+        judged = Examiner.of(read_problem(Source("p", text.replace("SIGN", sign)))).check_own()
+        assert judged.verdict is verdict

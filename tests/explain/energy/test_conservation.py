@@ -22,3 +22,10 @@ from tests.support.derivation_text import said_in
 )
 def test_the_reason_is_given(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule)
+
+
+def test_the_energy_is_conserved_where_the_moment_vanishes() -> None:
+    """The engine does no work where L = 0; resistance does in any case."""
+    assert "is not conserved unless L." in said_in("governor", Rule.CONSERVED)
+    assert "is not conserved. " in said_in("furuta-pendulum", Rule.CONSERVED)
+    assert "unless" not in said_in("ex17-spherical-pendulum", Rule.CONSERVED)

@@ -40,7 +40,7 @@ def box(r: Report) -> str:
         ("spherical-pendulum-by-routh", ("Hamilton's and Routh's functions", "H = p_θ²", "R = ½ m l² θ̇²")),
         ("slider-crank", ("P = Q (x − r cos θ)/(x sin θ)", "x² − 2r x cos θ + r² = l²")),
         ("disc-against-a-step", ("ẋ = (R − h) θ̇",)),
-        ("ballistic-pendulum", ("S_rod = S_caught₂ = 0",)),
+        ("ballistic-pendulum", ("S_rod = S_catch₂ = 0", "−S_catch₁ = M m v/(M + m)")),
         ("door-closer", ("a c h (1 − l/d) sin θ = 0", "d² = a² + h² − 2a h cos θ")),
         ("rolling-without-slip", ("ẍ = ⅔ g sin α", "F = ⅓ m g sin α")),
         ("double-atwood", ("β̈ = (m₃ − m₂) g r (2m₁ R² + I₁)/Δ", "Δ = [I₁ + (M + m₁) R²] [I₂ + (m₂ + m₃) r²]")),

@@ -359,3 +359,26 @@ def test_the_position_of_a_held_system_is_no_limit() -> None:
     """By hand: W_2 sin α <= μ W_1 cos α + μ (W_1 + W_2) cos α."""
     lines = [line for line in box_of(TIED) if "tan" in line or "=" in line]
     assert lines == ["μ ≥ (W₂/(2W₁ + W₂)) tan α"]
+
+
+ROPE = """title: A rope over two pegs with three weights
+axes: {i: right, j: down}
+parameters: {P: positive, W: positive, a: positive, L: positive}
+coordinates: [x, y, u, v]
+particles: {ring: {position: x*i + y*j}, left: {position: -a*i + u*j}, right: {position: a*i + v*j}}
+constraints:
+  rope_1: {equation: sqrt((x + a)^2 + y^2) + u = L, reaction: T_1}
+  rope_2: {equation: sqrt((x - a)^2 + y^2) + v = L, reaction: T_2}
+forces:
+  middle: {on: ring, vector: W*j}
+  end_1: {on: left, vector: P*j}
+  end_2: {on: right, vector: P*j}
+find: equilibrium
+"""
+
+
+def test_a_symmetric_position_stands_for_long_equations_at_the_head() -> None:
+    """By hand: 2 P sin = W with y/√(a² + y²) for the sine; what is left of the equations is longer than the answer."""
+    lines = box_of(ROPE)
+    assert "y = a W/√(4P² − W²)" in lines
+    assert any("where 2P > W; stable; others, if any, are not solved in closed form" in line for line in lines)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from lagrange.document.derivation import Display, Rule
-from tests.support.shared import reported
+from tests.support.shared import reported, solved
 
 
 def labels(name: str, rule: Rule) -> list[str]:
@@ -30,3 +30,10 @@ def test_an_equilibrium_comes_once_without_multipliers_that_are_no_forces() -> N
 def test_every_page_of_statics_has_an_equilibrium(name: str) -> None:
     found = labels(name, Rule.EQUILIBRIUM)
     assert any(n.startswith("equilibrium") for n in found)
+
+
+def test_no_force_balances_at_the_dead_centres() -> None:
+    """P x sin θ = Q (x − r cos θ) has no P where sin θ = 0."""
+    equilibrium = solved("slider-crank").own.equilibrium
+    assert equilibrium is not None
+    assert {str(f) for f in equilibrium.presupposed} == {"x", "sin(theta)"}

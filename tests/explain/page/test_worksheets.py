@@ -114,9 +114,12 @@ def test_statics_asks_for_the_equilibrium() -> None:
 
 
 def test_no_question_about_constraints_where_there_are_none() -> None:
-    text = words(both("double-pendulum-small-oscillations")[1])
-    assert "How many degrees of freedom has the system? What are its virtual displacements?" in text
-    assert "onstraint" not in text
+    sheet = both("double-pendulum-small-oscillations")[1]
+    assert [s.title for s in sheet.page[1:]] == [
+        "D'Alembert's principle and the equations of motion",
+        "Small oscillations",
+        "What it says",
+    ]
 
 
 def test_equations_of_the_statement_have_no_numbers() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 import pytest
@@ -36,6 +37,20 @@ def test_a_ladder_leaves_the_wall_at_two_thirds_of_its_height() -> None:
     assert place.wave == sp.sin(place.coordinate)
     assert place.place == sp.Rational(2, 3) * sp.sin(place.start)
     assert place.provided is None
+    assert place.exact
+    assert [s.name for s in place.others] == ["N"]
+    assert (place.heavy, place.is_body, place.fallen) == ("ladder", True, sp.Rational(1, 3))
+
+
+def test_the_floor_does_not_let_go_before_the_wall() -> None:
+    """N = m g [(3 u − u_0)² + 1 − u_0²]/4 with u = sin θ, against its value with the energy, in numbers."""
+    for first in (0.3, 0.9, 1.5):
+        for share in (1, 0.9, 0.7):
+            u, u_0 = share * math.sin(first), math.sin(first)
+            square = 3 / 2 * (u_0 - u)  # m = g = l = 1
+            force = (1 + 3 * u**2) / 4 - square * u
+            assert force == pytest.approx(((3 * u - u_0) ** 2 + 1 - u_0**2) / 4)
+            assert force >= 0
 
 
 PENDULUM = """
@@ -58,6 +73,8 @@ def test_a_string_stays_taut_and_a_dome_is_left(side: str, sign: str, leaves: bo
     assert bool(found.released) is leaves
     for place in found.released:
         assert place.place == sp.Rational(2, 3) * sp.cos(place.start)
+        assert place.exact
+        assert place.heavy == "P"
         assert place.provided == sp.cos(place.start)
 
 

@@ -65,3 +65,9 @@ def test_pulleys_without_inertia() -> None:
     [alpha] = [e for q, e in massless.accelerations.items() if q.name == "alpha''"]
     values = {"m1": m1, "m2": m2, "m3": m3, "g": g, "R": R}
     assert abs(float(alpha.xreplace({s: sp.Float(values[s.name]) for s in alpha.free_symbols}) * R - expected)) < 1e-12
+
+
+def test_what_may_grow_is_not_neglected() -> None:
+    """In a narrow cone r φ'² sin² α is p²/(m² r³ sin² α) by the momentum; a flat cone is a table."""
+    assert [x.to for x in of("marble-in-a-cone").limits] == [sp.pi / 2]
+    assert named("marble-in-a-cone", "alpha") == [Named.FREE]

@@ -34,6 +34,7 @@ from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Range
 from lagrange.render import terminal
 from lagrange.render.json import as_object
+from tests.support import shared
 from tests.support.problem_texts import places
 from tests.support.statics_texts import CHAIN, CROSS_WIND, POLES_OF_A_CHOICE
 
@@ -562,3 +563,12 @@ def test_the_position_in_which_a_beam_is_drawn(place: str, zero: tuple[str, ...]
     problem = read_problem(Source("hung.yaml", HUNG.replace("H", place)))
     [tried] = place_as_drawn(file_configuration(problem, classify(problem).constrained))
     assert tuple(map(str, tried)) == zero
+
+
+def test_the_range_of_a_replaced_coordinate_bounds_the_equilibria() -> None:
+    """A rod of length 2a reaches the rim where 2r cos θ ≤ 2a: with 4r cos² θ − a cos θ − 2r = 0, where a ≥ √(2/3) r."""
+    for branches in (v.equilibrium.branches for v in shared.solved("rod-in-bowl").views if v.equilibrium is not None):
+        [b] = branches
+        for a, exists in ((0.5, False), (0.81, False), (0.82, True), (1.9, True), (2.1, False)):
+            values = {s: a if s.name == "a" else 1 for c in b.conditions for s in (c.lhs - c.rhs).free_symbols}
+            assert all((c.lhs - c.rhs).xreplace(values) >= 0 for c in b.conditions) is exists

@@ -19,7 +19,7 @@ from lagrange.mechanics.solution import solve
 from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.support.problem_texts import read
-from tests.support.shared import reported
+from tests.support.shared import reported, solved
 
 m, M, c, b, F, w, e, a, l, g = 1.3, 2.9, 4.7, 0.8, 2.2, 1.7, 0.4, 0.6, 2.1, 9.81
 m_1, m_2, c_1, c_2 = 1.1, 0.7, 3.9, 2.3
@@ -313,3 +313,14 @@ find: response
     )
     page = terminal.text(found.derivation, found.notation, 80)
     assert "2π v/L = √(2k/m)    at resonance, that is 2π v/L ≈ 8.944 s⁻¹" in page
+
+
+def test_how_the_absorber_moves_where_the_mass_rests() -> None:
+    """With x = 0 its spring balances the force: c_2 y = −F cos ωt."""
+    response = solved("dynamic-absorber").own.response
+    assert response is not None
+    [rest] = response.rests[0]
+    [(q, motion)] = response.beside(rest).items()
+    values = {"F": 6, "c_2": 4, "w": 0, "t": 0}
+    assert q.name == "y"
+    assert motion.xreplace({s: sp.Integer(values[s.name]) for s in motion.free_symbols}) == sp.Rational(-3, 2)

@@ -280,3 +280,11 @@ impact: {impulses: {blow: {on: P, vector: J*i}}}
 """
     with pytest.raises(ProblemError, match="dry friction"):
         solve(problem(rough))
+
+
+def test_the_share_of_the_energy_that_is_lost() -> None:
+    """Of ½ m v² a bullet in a block at rest keeps m/(M + m)."""
+    motion = reported("ballistic-pendulum").solution.impact
+    assert motion is not None
+    assert motion.share_lost is not None
+    assert str(motion.share_lost) == "M/(M + m)"

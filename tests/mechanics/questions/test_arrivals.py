@@ -17,6 +17,7 @@ from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.mechanics.questions.test_questions import SPHERE, Read, asked
 from tests.mechanics.test_book_questions import SPRING
+from tests.support.shared import solved
 
 
 def test_a_position_at_rest_that_may_be_left_to_either_side_leaves_the_sense_open(problem: Read) -> None:
@@ -216,3 +217,10 @@ def test_friction_at_rest_decides_whether_a_stated_slip_begins(
 def test_without_values_the_coefficient_at_rest_is_in_a_condition(problem: Read) -> None:
     [branch] = asked(problem, SPHERE_ON_AN_INCLINE.replace("STATIC", "positive")).branches
     assert any("mu_s" in {s.name for s in (c.lhs - c.rhs).free_symbols} for c in branch.conditions)
+
+
+def test_the_top_is_not_reached_with_just_the_energy() -> None:
+    """With m² v² = 4 (M + m)² g l the ballistic pendulum gets upright only as t → ∞."""
+    [swing, *_] = solved("ballistic-pendulum").asked
+    [b] = swing.branches
+    assert [c.relation for c in b.conditions] == [">"]

@@ -9,7 +9,8 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
-from lagrange.mechanics.rewriting.stable_frequencies import square_where_stable
+from lagrange.mechanics.rewriting.stable_frequencies import square_where_stable, where_defined
+from tests.support.shared import solved
 
 a, g, l = sp.symbols("a g l", positive=True)
 theta = sp.Symbol("theta", real=True)
@@ -49,3 +50,14 @@ def test_without_a_condition_on_its_sine_or_cosine_it_stays() -> None:
     unknown = sp.Symbol("u", real=True)
     b = Branch((Relation(sp.tan(theta), unknown),))
     assert square_where_stable(sp.cos(theta) / l, b, stable_where(sp.sin(theta), ">")) is None
+
+
+def test_a_condition_without_which_there_is_no_place_is_not_repeated() -> None:
+    """r = g/(φ'² sin α tan α) has a value only where φ' ≠ 0."""
+    steady = solved("marble-in-a-cone").own.steady
+    assert steady is not None
+    [family] = steady.families
+    [b], [s] = family.about.branches, family.about.at
+    assert s is not None
+    assert s.judgement.stability.presupposed
+    assert not where_defined(s, b).judgement.stability.presupposed

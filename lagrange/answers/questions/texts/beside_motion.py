@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.answers.limits import LETTERS_OF_STEM
 from lagrange.answers.questions.frequencies import check_frequencies, frequencies_in
 from lagrange.answers.questions.named_values import label_of, written_label
 from lagrange.answers.questions.stability_in_text import WORD as STABLE
@@ -25,17 +26,18 @@ from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of
-from lagrange.answers.written.names import has_word
+from lagrange.answers.written.names import has_word, lines_with, spelled_out
 from lagrange.answers.written.values import with_all_values
 from lagrange.answers.written.working import understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span
+from lagrange.core.symbols import base
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
 
 _SETTLED = (Verdict.EQUIVALENT, Verdict.WRONG)
 _AT_REST = re.compile(r"equilibri|gleichgewicht|ruhelage|équilibre|rest position|positions? of rest", re.IGNORECASE)
 _STEADY = re.compile(r"steady|circular|circle|kreis|station[aä]r|gleichförmig|relative equilibri", re.IGNORECASE)
-_OSCILLATION = re.compile(r"frequen|period|schwingung|eigen|mode", re.IGNORECASE)
+_OSCILLATION = re.compile(r"frequen|period|schwing|oscillat|eigen|mode", re.IGNORECASE)
 _PLACE = re.compile(
     r"(?:\b(?:for|at|when|if|from|with|of|about|around|near|für|bei|wenn|um|à|pour|start\w*|initially)\s+|\()[\s$]*\Z",
     re.IGNORECASE,
@@ -93,7 +95,7 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
     """The verdicts on what some lines of an answer state."""
     reference = reference_of_solution(solution)
     if any(a.answered for a in solution.asked):
-        from lagrange.answers.questions.values_in_text import asked_in_text, questions_of_condition
+        from lagrange.answers.questions.values_in_text import asked_in_text
 
         results = [f for f in lines if not _is_place(f) or questions_of_condition(f, solution)]
         stated = [e for f in results if not _is_needed(f, answer, reference) for e in _limits(f)]
@@ -203,3 +205,45 @@ def _is_place(fragment: Fragment) -> bool:
     """Whether an equation only says where or when something else holds."""
     before = fragment.whole.source.text[: fragment.span(0, len(fragment.text)).start]
     return bool(_PLACE.search(before[-20:]) or _NO_RESULT.search(fragment.text))
+
+
+_CLAUSE = re.compile(
+    r"(?:^|[.:;])\s*(?P<clause>(?:[^\W\d_]+,?\s+){2,12})(?:if|when|where|once|as soon as|for|at)\s*\$?\s*\Z", re.I
+)
+_INTRODUCED = re.compile(r"\S\s+(?:if|when|where|once|provided(?: that)?|as soon as|for)\s*\$?\s*\Z", re.I)
+
+
+def questions_of_condition(fragment: Fragment, solution: Solution) -> set[str]:
+    """The questions that an equation may answer although it stands as a condition: `it leaves when θ = a`.
+
+    The clause before it names the question, or the question is for a parameter; `the speed is greatest when θ = π/2`
+    is about something else.
+    """
+    span = fragment.span(0, len(fragment.text))
+    line = span.source.text[: span.start].rsplit("\n", 1)[-1]
+    clause = _CLAUSE.search(line)
+    parameters = {p.symbol for p in solution.problem.parameters}
+    if clause is None:  # `beta = alpha throughout when I_2 = ...`
+        label = label_of(fragment) if _INTRODUCED.search(line) else ""
+        own = (a.question for a in solution.asked if a.question.quantity in parameters)
+        return {q.name for q in own if q.quantity.name == label}
+    words = {
+        w.lower()[:LETTERS_OF_STEM] for w in re.findall(r"[^\W\d_]+", clause["clause"]) if len(w) >= LETTERS_OF_STEM
+    }
+    return {
+        a.question.name
+        for a in solution.asked
+        if a.question.quantity in parameters
+        or (
+            _occurs(a.question.quantity, fragment)
+            and any(
+                w.lower()[:LETTERS_OF_STEM] in words for w in a.question.name.split("_") if len(w) >= LETTERS_OF_STEM
+            )
+        )
+    }
+
+
+def _occurs(quantity: sp.Expr, fragment: Fragment) -> bool:
+    """Whether the letter of a quantity is on the left of an equation."""
+    left = spelled_out(fragment.text.partition("=")[0])
+    return any(lines_with(base(s).name, [left]) or s.name in left for s in quantity.free_symbols)

@@ -158,7 +158,7 @@ def in_usual_signs(text: str) -> str:
     text = _FOR_ALL.sub("", text)
     text = _MUST_BE.sub(_blank, text)
     if ":" in text:
-        text = _COLON_BEFORE_CONDITION.sub(lambda m: m[0] if "\\" in m[0] else f"{m[1]};", text)
+        text = _COLON_BEFORE_CONDITION.sub(lambda m: m[0] if "\\" in m[0] or "tabil" in m[0] else f"{m[1]};", text)
     if ":" in text and "\\" in text and "$" not in text:
         text = _COLON_BEFORE_EQUATION.sub(r"\1;", text)
     text = _HALF.sub("t_", text)

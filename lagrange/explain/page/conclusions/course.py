@@ -8,6 +8,7 @@ import sympy as sp
 
 from lagrange.core.symbols import base, prime
 from lagrange.document.derivation import Block, Emphasis, Part, listed, math, prose
+from lagrange.explain.words import capital, the
 from lagrange.mechanics.consequences.course import Released, Sense, SwingingRate
 
 
@@ -28,8 +29,26 @@ def explain_released(places: tuple[Released, ...]) -> Iterator[Block]:
         only: tuple[Part, ...] = () if r.provided is None else (", if ", math(r.provided, sp.S.Zero, relation=">"))
         yield prose(
             *(Emphasis("Released from rest"), " at ", math(r.coordinate, r.start), *only, ": by the energy, "),
-            *(math(r.force, sp.S.Zero), " where ", math(r.wave, r.place), "; contact ends there at the latest."),
+            *(math(r.force, sp.S.Zero), " where ", math(r.wave, r.place), *_ends(r)),
         )
+
+
+_SHARES = {"1/3": "one third", "1/2": "one half", "2/3": "two thirds", "1/4": "one quarter"}
+
+
+def _ends(r: Released) -> Iterator[Part]:
+    """`. Contact ends there; N > 0 until then. The mass centre of the ladder has then fallen by 1/3 of its height.`"""
+    if not r.exact:
+        yield "; contact ends there at the latest."
+        return
+    yield "; contact ends there"
+    if r.others:
+        yield from (", and ", *listed(math(s, sp.S.Zero, relation="≥") for s in r.others), " until then")
+    yield "."
+    if r.heavy:
+        what = f"The mass centre of {the(r.heavy)}" if r.is_body else capital(the(r.heavy))
+        share = _SHARES.get(str(r.fallen))
+        yield from (f" {what} has then fallen by ", share or math(r.fallen), " of its first height above ", "O.")
 
 
 def explain_swinging(s: SwingingRate | None) -> Iterator[Block]:

@@ -18,7 +18,7 @@ def explain_limit(limit: LimitingCase) -> Block:
     where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
     says: list[tuple[Part, ...]] = (
         [_named(m, e) for m, e in zip(limit.named, changed, strict=True)]
-        if len(limit.named) == len(changed) and limit.named[0].named is not Named.INVERSE_SQUARE
+        if len(limit.named) == len(changed) and limit.named[0].named not in (Named.INVERSE_SQUARE, Named.FREE)
         else [(*listed(math(e, sp.S.Zero) for e in changed), *_together(m)) for m in limit.named]
     )
     rest = plural(same, " (the other equation unchanged)", " (the others unchanged)") if same else ""

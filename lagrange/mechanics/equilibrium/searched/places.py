@@ -205,14 +205,14 @@ class _Search:
         return ranks[0] == ranks[1]
 
     def _is_outside(self, place: Sequence[Any], numbers: Sequence[float]) -> bool:
-        """Whether a coordinate is outside of its range, or at its end."""
-        ranges = self.e.configuration.ranges
-        known = dict(zip(self.symbols, (*place, *numbers), strict=True))
-        for q, limits in ranges.items():
-            low, high = (
-                float(x.xreplace({s: sp.Float(v) for s, v in known.items()})) for x in (limits.low, limits.high)
-            )
-            if not low + 1e-9 < float(known[q]) < high - 1e-9:
+        """Whether a coordinate is outside of its range, or at its end; also one that the choice has replaced."""
+        own = self.e.configuration
+        known = dict(zip(own.slots.coordinates, place, strict=False))
+        known |= dict(zip(self.parameters, numbers, strict=True))
+        values = {s: sp.Float(v) for s, v in known.items()}
+        for q, limits in (*own.ranges.items(), *own.bounded):
+            low, value, high = (x.xreplace(values) for x in (limits.low, q, limits.high))
+            if low.is_number and value.is_number and high.is_number and not low + 1e-9 < value < high - 1e-9:
                 return True
         return False
 
