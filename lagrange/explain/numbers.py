@@ -173,8 +173,9 @@ def _forces_at_roots(view: InCoordinates, digits: int) -> Iterator[Block]:
     rows = [p.forces for p in roots]
     names = [*rows[0]] if rows and all(rows) else []
     if names:
-        yield prose("There, in the same order, the reactions are" if len(roots) > 1 else "There the reactions are",
-                    detail=Detail.BRIEF)  # fmt: skip
+        where = "At the equilibria" if view.in_numbers.slack else "There"
+        order = ", in the same order," if len(roots) > 1 else ""
+        yield prose(f"{where}{order} the reactions are", detail=Detail.BRIEF)
         shown = tuple(tuple(math(row[name].shown(digits)) for name in names) for row in rows)
         yield Table(tuple(math(name) for name in names), shown, Detail.BRIEF)
 

@@ -15,7 +15,14 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import UnitSymbol
 from lagrange.document.derivation import Equation, Math, Mathematics, Part, Rule, listed, math, series
-from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
+from lagrange.explain.limits import (
+    LONGEST_FREQUENCY,
+    LONGEST_WORDS,
+    MOST_LINES_OF_CASES,
+    MOST_PLACES,
+    MOST_RESULTS,
+    RESULT_DIGITS,
+)
 from lagrange.explain.page.conclusions.positions import stability_of
 from lagrange.explain.reactions import reaction_lines
 from lagrange.explain.rest.equilibrium import stability_in_short
@@ -101,7 +108,12 @@ def _equilibria(
         places = [] if numbers is None or not b.left else [p for p in numbers.positions if p.branch is None]
         if places:  # of all branches that are not in closed form together
             if not any(other.left for other in branches[:n]):
-                groups += [_found(p, numbers) for p in places]
+                found = [_found(p, numbers) for p in places]
+                groups += (
+                    found
+                    if sum(map(len, found)) <= MOST_RESULTS
+                    else map(_in_a_line, _by_place(found, len(places[0].coordinates)))
+                )
                 if numbers is not None and numbers.numerical is not None and not numbers.numerical.complete:
                     *first, last = groups[-1]
                     more = ("; " if last.condition else "", "there may be others")
@@ -171,6 +183,21 @@ def _found(p: Position, among: EquilibriaInNumbers | None) -> list[Equation]:
     alone = among is None or len(among.positions) == 1
     forces = [] if alone else [_force_found(name, x) for name, x in p.forces.items()]
     return [*lines[:-1], replace(lines[-1], condition=words), *forces]
+
+
+def _by_place(found: Sequence[list[Equation]], coordinates: int) -> list[list[Equation]]:
+    """Positions with one of the coordinates first that has another value in each of them, if there is one."""
+    telling = [n for n in range(coordinates) if len({lines[n].sides for lines in found}) == len(found)]
+    last = telling[-1] if telling else 0
+    return [[lines[last], *lines[:last], *lines[last + 1 :]] for lines in found]
+
+
+def _in_a_line(lines: list[Equation]) -> list[Equation]:
+    """A position on one line: `θ ≈ 11.17° with x = 0, y ≈ −0.2905 m and T ≈ 80.69 N; unstable`."""
+    first, *others = lines
+    words = [part for e in lines for part in e.condition]
+    beside = ("with ", *listed(math(*e.sides, relation=e.relation) for e in others)) if others else ()
+    return [replace(first, condition=(*beside, *(("; ",) if beside and words else ()), *words))]
 
 
 def _force_found(name: sp.Symbol, x: Quantity) -> Equation:

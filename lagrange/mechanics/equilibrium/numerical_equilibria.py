@@ -17,7 +17,11 @@ a constraint be a quadratic function whose squares are completed one after anoth
 
 Then |u_1 − s_1| ≤ √(c/d_1), and u_1 is bounded where the unknowns in s_1 are. Where each constraint has two squares
 with the same d, and s in unknowns of those before it, as in a chain of rods in a plane, u_1 − s_1 = ρ cos φ and
-u_2 − s_2 = ρ sin φ: the constraints hold for any angles φ, and every position has one set of them.
+u_2 − s_2 = ρ sin φ: the constraints hold for any angles φ, and every position has one set of them. Cosine and sine of
+an angle count as two unknowns with c² + s² = 1.
+
+The roots of lengths are no obstacle to the search: √S = l is S = l², and of √A + √B = L, a string over a nail, both
+lengths follow from L and A − B.
 """
 
 from __future__ import annotations
@@ -34,6 +38,7 @@ from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, sign_in_range
 from lagrange.core.units import unit_called, unit_of
+from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     BEYOND_PI,
@@ -87,17 +92,24 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
         return None
     values = replace(values, numbers={**values.numbers, **dict.fromkeys(_scales(e, values), sp.S.One)})
     forces = [values.put_in(f) for f in e.work.forces]
-    others = [values.put_in(x) for x in (*e.laws, *e.configuration.finite_constraints)]
-    columns = [[values.put_in(row.coefficients[k]) for row in e.binding] for k in range(len(forces))]
+    slots = e.configuration.slots
+    rows = [without_root(row, slots) for row in e.configuration.rows]
+    finite = [values.put_in(row.finite) for row in rows if row.finite is not None]
+    lengths = [two for f in finite if (two := two_lengths(f, slots.coordinates)) is not None]
+    others = [*map(values.put_in, e.laws), *(without_lengths(f, lengths) for f in finite)]
+    binding = [without_root(row, slots) for row in e.binding]
+    columns = [
+        [with_lengths(values.put_in(row.coefficients[k]), lengths) for row in binding] for k in range(len(forces))
+    ]
     if not e.binding:
         return _searched([values.put_in(x) for x in e.required], [], unknowns, e, second, values)
     links = None if e.laws or e.forces or e.configuration.ranges else angles_of_links(others, unknowns)
     if links is not None:
         return _by_angles(links, forces, unknowns, e, second, values)
     best = None
-    for rows in islice(combinations(range(len(forces)), len(e.binding)), MOST_CHARTS):
-        balance = [x for k in range(len(forces)) if k not in rows and (x := _minor(forces, columns, (*rows, k))) != 0]
-        rest = [_minor(forces, columns, c) for c in combinations(range(len(forces)), len(rows) + 1)]
+    for chart in islice(combinations(range(len(forces)), len(e.binding)), MOST_CHARTS):
+        balance = [x for k in range(len(forces)) if k not in chart and (x := _minor(forces, columns, (*chart, k))) != 0]
+        rest = [_minor(forces, columns, c) for c in combinations(range(len(forces)), len(chart) + 1)]
         searched = _searched([*balance, *others], rest, unknowns, e, second, values)
         if searched is not None and (best is None or searched.complete or len(searched.found) > len(best.found)):
             best = searched
@@ -163,7 +175,9 @@ def _searched(
     used = {s for x in equations for s in x.free_symbols}
     if len(equations) != len(unknowns) or used != {*unknowns}:
         return None
-    reach = reach_of_links([values.put_in(f) for f in e.configuration.finite_constraints], unknowns)
+    finite = [values.put_in(f) for f in e.configuration.finite_constraints]
+    lengths = [two for f in finite if (two := two_lengths(f, e.configuration.slots.coordinates)) is not None]
+    reach = reach_of_links([*equations, *(bound for two in lengths for bound in two.bounds)], unknowns)
     searched = {u: _search(u, equations, e, values, reach) for u in unknowns}
     forces = [values.put_in(f) for f in e.work.forces]
     matrix = [] if second is None else [[values.put_in(x) for x in row] for row in second.matrix]
@@ -177,6 +191,8 @@ def _searched(
             place = dict(zip(unknowns, root.values, strict=True))
             at_a_jump = any(part[u] != searched[u] and _is_tiny(v) for u, v in place.items())
             if at_a_jump or any(sign_at(x, unknowns, root) in (1, -1) for x in others):
+                continue
+            if any(sign_at(x, unknowns, root) == -1 for two in lengths for x in two.values.values()):
                 continue
             if all(_is_finite(f.xreplace(place)) for f in forces):
                 signed = [[_with_known_signs(x, part) for x in row] for row in matrix]
@@ -328,25 +344,80 @@ def _verdict(
     return StabilityVerdict.STABLE if all(s == 1 for s in leading) else StabilityVerdict.UNDECIDED
 
 
+# Two lengths with a given sum
+
+
+@record
+class TwoLengths:
+    """a √A + b √B = L without roots: of u = a √A and v = b √B, u + v and u² − v² = a² A − b² B are known.
+
+    values  √A and √B
+    square  what is zero instead of the constraint
+    bounds  a² A − L² and b² B − L², not positive if a and b are positive
+    """
+
+    values: Mapping[sp.Expr, sp.Expr]
+    square: sp.Expr
+    bounds: tuple[sp.Expr, ...]
+
+
+def two_lengths(constraint: sp.Expr, coordinates: Sequence[sp.Symbol]) -> TwoLengths | None:
+    """The lengths of both parts of a string that runs over a nail; None if a constraint, zero, is of another kind."""
+    roots = sorted((r for r in constraint.atoms(sp.Pow) if r.exp == sp.S.Half and r.has(*coordinates)), key=str)
+    rest = -constraint.xreplace(dict.fromkeys(roots, sp.S.Zero))
+    shares = [constraint.coeff(r) for r in roots]
+    if len(roots) != 2 or not all(x.is_number and x != 0 for x in (*shares, rest)):
+        return None
+    if sp.expand(constraint + rest - sp.Add(*(a * r for a, r in zip(shares, roots, strict=True)))) != 0:
+        return None
+    squares = [sp.expand(a**2 * r.base) for a, r in zip(shares, roots, strict=True)]
+    between = (squares[0] - squares[1]) / rest
+    parts = [sp.expand((rest + between) / 2), sp.expand((rest - between) / 2)]
+    values = {r: part / a for a, r, part in zip(shares, roots, parts, strict=True)}
+    bounds = tuple(x - rest**2 for x in squares) if all((a * rest).is_positive for a in shares) else ()
+    return TwoLengths(values, sp.expand(parts[0] ** 2 - squares[0]), bounds)
+
+
+def without_lengths(constraint: sp.Expr, lengths: Sequence[TwoLengths]) -> sp.Expr:
+    """A constraint as it is, or without the roots of two lengths."""
+    return next((two.square for two in lengths if two.values.keys() <= constraint.atoms(sp.Pow)), constraint)
+
+
+def with_lengths(e: sp.Expr, lengths: Sequence[TwoLengths]) -> sp.Expr:
+    """An expression with the values of such lengths for their roots, also for 1/√A."""
+    known = {r.base: value for two in lengths for r, value in two.values.items()}
+    powers = [p for p in e.atoms(sp.Pow) if p.base in known and (2 * p.exp).is_Integer]
+    return e.xreplace({p: known[p.base] ** (2 * p.exp) for p in powers})
+
+
 # Reach of links
 
 
 def reach_of_links(constraints: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """The greatest size of each unknown that constraints, each zero, with numbers for the parameters, bound."""
+    waves = {
+        f: sp.Dummy(f.func.__name__) for e in constraints for f in e.atoms(sp.cos, sp.sin) if f.args[0] in unknowns
+    }
+    circles = [
+        (waves[f] ** 2, 1 - waves[g] ** 2) for f in waves if f.func is sp.sin and (g := sp.cos(*f.args)) in waves
+    ]
+    symbols = (*unknowns, *waves.values())
     quadratic = [
-        e
+        plain
         for e in constraints
         if count_operations(e) <= LONGEST_LINK
-        and e.is_polynomial(*unknowns)
-        and sp.Poly(e, *unknowns).total_degree() == 2
+        and (plain := sp.expand(e).xreplace(waves)).is_polynomial(*symbols)
+        and sp.Poly(plain, *symbols).total_degree() == 2
     ]
-    reach: dict[sp.Symbol, sp.Expr] = {}
+    reach: dict[sp.Symbol, sp.Expr] = dict.fromkeys(waves.values(), sp.S.One)
     for _ in unknowns:
         for e in quadratic:
             for u in unknowns:
-                if u not in reach and u in e.free_symbols and (size := _size(e, u, unknowns, reach)) is not None:
+                if u in reach or u not in e.free_symbols:
+                    continue
+                if (size := _size(e, u, symbols, reach, circles)) is not None:
                     reach[u] = size
-    return reach
+    return {u: size for u, size in reach.items() if u in unknowns}
 
 
 def angles_of_links(constraints: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
@@ -387,8 +458,17 @@ def _rod(
     return (sp.sqrt(-rest), middles) if rest.is_number and rest.is_negative else None
 
 
-def _size(e: sp.Expr, u: sp.Symbol, unknowns: Sequence[sp.Symbol], reach: dict[sp.Symbol, sp.Expr]) -> sp.Expr | None:
-    """The greatest |u| where e = 0; None if the bounds of the other unknowns give none."""
+def _size(
+    e: sp.Expr,
+    u: sp.Symbol,
+    unknowns: Sequence[sp.Symbol],
+    reach: dict[sp.Symbol, sp.Expr],
+    circles: Sequence[tuple[sp.Expr, sp.Expr]],
+) -> sp.Expr | None:
+    """The greatest |u| where e = 0; None if the bounds of the other unknowns give none.
+
+    circles  sin² θ = 1 − cos² θ of angles, whose waves are unknowns
+    """
     rest, first, shift = sp.expand(e), sp.S.Zero, sp.S.Zero
     if rest.coeff(u, 2).is_negative:  # l² = x² + y²
         rest = -rest
@@ -403,7 +483,7 @@ def _size(e: sp.Expr, u: sp.Symbol, unknowns: Sequence[sp.Symbol], reach: dict[s
         middle = sp.expand(-linear / (2 * square))
         if v == u:
             first, shift = square, middle
-        rest = sp.expand(rest - square * (v - middle) ** 2)
+        rest = sp.expand(sp.expand(rest - square * (v - middle) ** 2).subs(circles))
     if first == 0 or not rest.is_number or not rest.is_nonpositive:
         return None
     size = sp.sqrt(-rest / first)

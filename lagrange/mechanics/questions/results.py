@@ -199,7 +199,6 @@ class Asked:
     used        reactions and accelerations in the question, in terms of positions and velocities
     conditions  the equations of `when` after that
     quantity    the same for the quantity
-    related     parameters that conditions give in terms of others, put into the answer
     branches    all that it may be; empty if it was not found
     dropped     branches that are not meant, with the reason
     mirrored    whether the branches differ in the sense of the motion alone, and the initial state leaves that open,
@@ -214,6 +213,7 @@ class Asked:
     opposite    a force that is counted in the sense opposite to that of its constraint
     needs       an extra of the package that is missing for a numerical answer
     verified    whether it satisfies all equations, exactly; None: undecided
+    related     parameters that conditions give in terms of others, put into the answer
     """
 
     question: Question
@@ -224,7 +224,6 @@ class Asked:
     used: tuple[Substituted, ...] = ()
     conditions: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     quantity: sp.Expr = sp.S.Zero
-    related: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     branches: tuple[AnswerBranch, ...] = ()
     dropped: tuple[tuple[AnswerBranch, Reason], ...] = ()
     mirrored: bool = False
@@ -240,6 +239,7 @@ class Asked:
     opposite: sp.Symbol | None = None
     needs: str = ""
     verified: bool | None = True
+    related: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     @property
     def answered(self) -> bool:

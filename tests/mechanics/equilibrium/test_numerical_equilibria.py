@@ -15,7 +15,8 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Source
 from lagrange.explain.report import Report, report
-from lagrange.mechanics.equilibrium.numerical_equilibria import angles_of_links, reach_of_links
+from lagrange.mechanics.equilibrium.numerical_equilibria import angles_of_links, reach_of_links, two_lengths
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.problem.loader import read_problem
 from lagrange.render import terminal
 from lagrange.render.json import as_object
@@ -274,3 +275,75 @@ forces: {wave: {potential: W*cos(theta) + x^7/7 - x^6/6 + x^3/3 + x^2 - 3*x}}
 find: equilibrium
 """
     assert sorted(f["how"] for f in positions(reported(text))) == ["exact", "exact", "numerical", "numerical"]
+
+
+STRING = """title: Two weights on a string
+axes: {i: right, j: down}
+parameters: {W: {value: 80 N}, a: {value: 50 cm}, b: {value: 60 cm}, d: {value: 120 cm}}
+coordinates: {x_1: {unit: m}, y_1: {unit: m}, x_2: {unit: m}, y_2: {unit: m}}
+particles: {B: {position: x_1*i + y_1*j}, C: {position: x_2*i + y_2*j}}
+constraints:
+  AB: {equation: norm(r_B) <= a, reaction: T_1}
+  BC: {equation: norm(r_C - r_B) <= b, reaction: T_2}
+  CD: {equation: norm(r_C - d*i) <= a, reaction: T_3}
+forces: {left: {on: B, vector: W*j}, right: {on: C, vector: W*j}}
+find: equilibrium
+"""
+NAIL = """title: Uneven rod slung over a nail
+axes: {i: right, j: up}
+parameters: {W: {value: 80 N}, a: {value: 40 cm}, b: {value: 20 cm}, L: {value: 90 cm}}
+coordinates: {x: {unit: m}, y: {unit: m}, theta: {}}
+bodies: {rod: {position: x*i + y*j, angle: theta}}
+constraints:
+  string: {equation: norm(r_rod - a*e1_rod) + norm(r_rod + b*e1_rod) <= L, reaction: T, by: string}
+forces: {weight: {on: rod, vector: -W*j}}
+find: equilibrium
+"""
+
+
+def test_a_chain_of_strings_between_two_pegs() -> None:
+    """The polygon with slopes 4/3, 0, −4/3: T = W/0.8 in the outer strings, 0.6 of that between the weights."""
+    numbers = reported(STRING).solution.own.in_numbers
+    assert numbers is not None
+    [only] = numbers.positions
+    assert [round(float(x.formula), 12) for x in only.coordinates.values()] == [0.3, 0.4, 0.9, 0.4]
+    assert only.stability is StabilityVerdict.STABLE
+    assert {str(f): round(float(x.formula), 9) for f, x in only.forces.items()} == {"T_1": 100, "T_2": 60, "T_3": 100}
+    assert all(x.formula < 0 for p in numbers.slack for f, x in p.forces.items() if str(f) in ("T_1", "T_3"))
+
+
+def test_a_rod_slung_over_a_nail() -> None:
+    """Oblique with OA = L a/(a + b), unstable; upright with either end below, stable with T = W/2.
+
+    OA = 0.6 m and OB = 0.3 m, so OG² = OA·OB − a b, and T = W/(2 cos φ) with cos 2φ = 1/4 at the nail.
+    """
+    explained = reported(NAIL)
+    numbers = explained.solution.own.in_numbers
+    assert numbers is not None
+    found = {
+        (*(round(float(x.formula), 6) for x in (*p.coordinates.values(), *p.forces.values())), p.stability)
+        for p in numbers.positions
+    }
+    depth, turn = math.sqrt(0.6 * 0.3 - 0.4 * 0.2), math.pi / 2
+    inclined = math.asin((0.6**2 - 0.4**2 - depth**2) / (2 * 0.4 * depth))
+    expected = [
+        (0, -depth, inclined, 40 / math.sqrt(0.625), StabilityVerdict.UNSTABLE),
+        (0, -depth, math.pi - inclined, 40 / math.sqrt(0.625), StabilityVerdict.UNSTABLE),
+        (0, -0.35, turn, 40, StabilityVerdict.STABLE),
+        (0, -0.55, -turn, 40, StabilityVerdict.STABLE),
+    ]
+    assert found == {(*(round(x, 6) for x in place), verdict) for *place, verdict in expected}
+    page = terminal.text(explained.derivation, explained.notation, 90)
+    assert "with x = 0, y ≈ −0.5500 m and T ≈ 40.00 N; stable" in " ".join(page.split())
+
+
+def test_two_lengths_with_a_given_sum() -> None:
+    """√A + √B = L with L² = 9 for A = 1 and B = 4: both follow from L and A − B."""
+    x, y = sp.symbols("x y", real=True)
+    two = two_lengths(sp.sqrt(x) + sp.sqrt(y) - 3, (x, y))
+    assert two is not None
+    at = {x: 1, y: 4}
+    assert [v.xreplace(at) for v in two.values.values()] == [1, 2]
+    assert two.square.xreplace(at) == 0
+    assert [b.xreplace(at) for b in two.bounds] == [-8, -5]
+    assert two_lengths(sp.sqrt(x) + x * sp.sqrt(y) - 3, (x, y)) is None
