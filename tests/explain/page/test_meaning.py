@@ -76,7 +76,7 @@ def shipped_page(name: str) -> str:
         ("suslov-body", "which is always of the same sign: q moves in one sense, or is constant while u = 0"),
         ("governor", "φ̇² = (M + m) g/(m l cos θ)"),
         ("slide-off-a-dome", "Contact: N > 0 while θ̇² < (g/R) cos θ."),
-        ("slide-off-a-dome", "/(R² (4μ² + 1)) where θ̇² ≥ 0 (18)"),
+        ("slide-off-a-dome", "/(R² (4μ² + 1)) (18)"),
         ("constant-speed", "│ v² ẍ = g ẋ ẏ │ │ v² ÿ = −g ẋ² │"),
         ("sleigh", "λ = (m I_G/(m a² + I_G)) θ̇ u"),
         ("spherical-pendulum-by-routh", "The force that keeps P on its surface is normal to the surface"),
