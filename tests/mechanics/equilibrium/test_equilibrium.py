@@ -549,14 +549,16 @@ def test_an_unsolved_linkage_states_its_moments() -> None:
         assert not any(v.has(sp.nan, sp.zoo) for p in b.points for v in p.values())
 
 
-def test_beside_unsolved_equations_an_angle_is_stated_by_both_its_functions() -> None:
-    """tan α = −2 has two angles; 15 sin β − 10 sin γ = 6√5 belongs to one of them only."""
+def test_beside_other_angles_an_angle_is_stated_by_both_its_functions() -> None:
+    """tan α = −2 has two angles, and each belongs to two positions of the other rods."""
     found = relations(solve(read(PUSHED_LINKAGE)).own.equilibrium)
     assert [r for r in found if "tan(alpha)" in r] == []
-    assert [(r["sin(alpha)"], r["cos(alpha)"]) for r in found if "sin(alpha)" in r] == [
-        ("-2*sqrt(5)/5", "sqrt(5)/5"),
-        ("2*sqrt(5)/5", "-sqrt(5)/5"),
-    ]
+    pairs = [("-2*sqrt(5)/5", "sqrt(5)/5"), ("2*sqrt(5)/5", "-sqrt(5)/5")]
+    assert [(r["sin(alpha)"], r["cos(alpha)"]) for r in found] == [pairs[0], pairs[0], pairs[1], pairs[1]]
+    for r in found:
+        for angle in ("beta", "gamma"):
+            numbers = (float(sp.sympify(r[f"{f}({angle})"])) for f in ("sin", "cos"))
+            assert sum(x**2 for x in numbers) == pytest.approx(1)
 
 
 WIRE = """
