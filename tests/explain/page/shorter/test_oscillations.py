@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.core.symbols import prime
+from lagrange.core.symbols import prime, t
 from lagrange.document.derivation import (
     Block,
     Display,
@@ -82,10 +82,11 @@ def test_an_absorber(name: str) -> None:
     assert "frequencies of free oscillations" in words
     assert any(str(p).startswith(". At resonance there is no steady state, and the amplitude grows") for p in words)
     head = pages[0]
-    c2, m2, w = (next(s for e in _box(head) for x in e.sides for s in x.free_symbols if s.name == n)
-                 for n in ("c_2", "m_2", "w"))  # fmt: skip
-    still = [e for e in _box(head) if e.sides[1] == 0 and e.condition]
-    assert [e.condition for e in still] == [("where ", math(w**2, c2 / m2))]
+    c2, m2, w, F, y = (next(s for e in _box(head) for x in e.sides for s in x.free_symbols if s.name == n)
+                       for n in ("c_2", "m_2", "w", "F", "y"))  # fmt: skip
+    [still] = [e for e in _box(head) if e.sides[1] == 0 and e.condition]
+    balanced = math(y, -F * sp.cos(w * t) / c2)
+    assert still.condition == ("and ", balanced, " ", "where ", math(w**2, c2 / m2))
 
 
 def _box(step: object) -> list:  # type: ignore[type-arg]
