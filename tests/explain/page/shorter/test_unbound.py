@@ -42,7 +42,7 @@ def test_they_stay_where_there_is_something_to_learn(name: str) -> None:
         ("bead-in-a-turning-tube", "At rest in the turning system: r = a k/(k − m Ω²), stable where k > m Ω²."),
         ("loop-the-loop", "when θ = π, where 2h ≥ 5R  │"),
         ("cylinder-on-rough-incline", "the condition for rolling"),
-        ("band-brake", "T₁ = M exp(μ β)/(r [exp(μ β) − 1])    at the limit"),
+        ("band-brake", "T₁ = M e^(μ β)/(r [e^(μ β) − 1])    at the limit"),
         ("inverted-pendulum-springs", "All forces together have the potential U = "),
     ],
 )
