@@ -96,6 +96,9 @@ def _equilibria(
     groups: list[list[Equation]] = []
     unsolved = False
     reactions = view.reactions_at_rest.at if view.reactions_at_rest is not None else ()
+    forces_at = [_named_reactions(r, newton) if r is not None and newton is not None else [] for r in reactions]
+    if len({tuple(e.sides for e in forces) for forces in forces_at}) == 1:  # they are stated once, after the positions
+        forces_at = []
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
     numbers, linearization = view.in_numbers, view.linearization
@@ -134,8 +137,7 @@ def _equilibria(
         words = (*contact, *(("; ",) if words and contact else ()), *words)
         if presupposed and not words:
             words = ("where ", *listed(math(f, sp.S.Zero, relation="≠") for f in presupposed))
-        there = reactions[n] if newton is not None and n < len(reactions) else None
-        forces = [] if there is None or newton is None else _named_reactions(there, newton)
+        forces = forces_at[n] if n < len(forces_at) else []
         own = [r for r in b.relations if all(r not in o.relations for o in branches if o is not b)]
         if forces and own:  # a position that the constraints hold is given; its forces are sought
             angles = view.equilibrium.solution.letters.angles

@@ -7,14 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.expression_size import count_operations
-from lagrange.mechanics.equilibrium.linearization import SmallOscillations
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.factors import without_constant_factors
+
+if TYPE_CHECKING:  # a page without oscillations loads neither
+    from lagrange.algebra.closed_forms.solution_sets import Branch
+    from lagrange.mechanics.equilibrium.linearization import SmallOscillations
 
 
 def by_coordinates(view: InCoordinates) -> InCoordinates | None:
