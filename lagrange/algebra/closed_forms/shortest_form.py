@@ -165,8 +165,9 @@ def with_differences_of_squares(e: sp.Expr) -> sp.Expr:
     """A product with r² − a² for its factors (r − a) (r + a), as books print it; roots of such products too."""
     roots = [p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer and p.base.is_Mul]
     products = [m for m in e.atoms(sp.Mul) if m != e and any(f.is_Pow and not f.exp.is_Integer for f in m.args)]
-    e = e.xreplace({p: sp.Pow(with_differences_of_squares(p.base), p.exp) for p in roots})
-    e = e.xreplace({m: with_differences_of_squares(m) for m in products})
+    shorter = {p: base for p in roots if (base := with_differences_of_squares(p.base)) != p.base}
+    e = e.xreplace({p: sp.Pow(base, p.exp) for p, base in shorter.items()})  # the others stay as they are written
+    e = e.xreplace({m: form for m in products if (form := with_differences_of_squares(m)) != m})
     if not e.is_Mul:
         return e
     factors = list(e.args)
