@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 import sympy as sp
 
-from lagrange.answers.questions.asked_quantities import _parted_logarithms
+from lagrange.answers.friction.logarithms import parted_logarithms
 from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
@@ -64,8 +64,8 @@ def test_a_radius_is_positive() -> None:
 def test_logarithms_of_a_factor_of_unknown_sign() -> None:
     m, q, t = sp.symbols("m q t", positive=True)
     same = (m / q - t) * sp.log(1 - q * t / m) + (m / q - t) * sp.log(m / (m - q * t))
-    assert _parted_logarithms(same) == 0
-    assert _parted_logarithms(sp.log(q * t / m - 1) - sp.log(m - q * t) + sp.log(m)) != 0
+    assert parted_logarithms(same) == 0
+    assert parted_logarithms(sp.log(q * t / m - 1) - sp.log(m - q * t) + sp.log(m)) != 0
 
 
 AXLE = """title: A conical pendulum that a spring holds to the axis
