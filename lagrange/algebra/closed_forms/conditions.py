@@ -165,10 +165,20 @@ def _polynomials(c: SignCondition) -> list[sp.Expr] | None:
                 return None
             below_sign = 1 if sp.factor_list(below)[0] > 0 else -1
         p = sp.expand(above * below_sign * (1 if not below.is_number else sp.sign(below)))
+        p = _squared(p)
         if not p.is_polynomial(*p.free_symbols) or not p.free_symbols or p.atoms(sp.Pow) - _powers(p):
             return None
         polynomials.append(p)
     return polynomials
+
+
+def _squared(p: sp.Expr) -> sp.Expr:
+    """W² − 2Q², which has the sign of W − √2 Q; other sums as they are."""
+    terms = sp.Add.make_args(p)
+    if len(terms) != 2 or not any(x.is_number for x in p.atoms(sp.Pow)):
+        return p
+    [greater, less] = sorted(terms, key=lambda x: bool(x.is_negative))
+    return greater**2 - less**2 if greater.is_positive and less.is_negative else p
 
 
 def _powers(p: sp.Expr) -> set[sp.Expr]:

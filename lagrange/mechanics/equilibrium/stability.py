@@ -537,12 +537,21 @@ def _shortest(s: Stability, b: Branch) -> Stability:
     """A conditional verdict with its conditions in the shortest form, given those for the existence of the branch."""
     shorter = further_conditions(s.conditions, b.conditions)
     if shorter is None:
-        return s
+        return _nowhere_stable(s, b)
     if only_excludes_equality(shorter, b.conditions):
         return replace(s, verdict=StabilityVerdict.STABLE, conditions=(), presupposed=shorter)
     lost = [c for c in s.conditions if c.relation == "≠" and c not in shorter]
     # With one condition its opposite is stated as well, and there a minor may vanish.
     return s if lost and len(shorter) == 1 else replace(s, conditions=shorter)
+
+
+def _nowhere_stable(s: Stability, b: Branch) -> Stability:
+    """The verdict where the branch exists only where the conditions for stability fail: with one minor, unstable."""
+    opposite = conditions_for([-s.minors[0]], known_positive(b)) if len(s.minors) == 1 else None
+    presupposed = None if opposite is None else further_conditions(opposite, b.conditions)
+    if presupposed is None:
+        return s
+    return replace(s, verdict=StabilityVerdict.UNSTABLE, conditions=(), presupposed=presupposed)
 
 
 def not_vanishing(
