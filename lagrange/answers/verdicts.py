@@ -16,6 +16,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -28,6 +29,9 @@ from lagrange.document.math_writer import text as plain
 from lagrange.document.math_writer import unicode
 from lagrange.document.names import Notation
 from lagrange.problem.model import Problem
+
+if TYPE_CHECKING:
+    from lagrange.answers.recognition import Recognised
 
 
 class Verdict(StrEnum):
@@ -60,6 +64,50 @@ DOES_NOT_FOLLOW = "it does not follow from the equations of motion"
 MIXED_CHOICES = "it mixes coordinates of several choices; use the file's coordinates and those of one choice"
 UNDECIDED = "it could not be decided whether it is right"
 
+
+@record
+class Subject:
+    """What the positions of an answer are, as nouns of its diagnoses."""
+
+    one: str
+    many: str
+    an: str
+    at: str
+
+
+REST = Subject("equilibrium", "equilibria", "an equilibrium", "at")
+STEADY_MOTION = Subject("steady motion", "steady motions", "a steady motion", "in")
+
+
+class Reason(StrEnum):
+    """Why an equation is wrong or undecided, where the verdict on others depends on it: its sentence about a subject.
+
+    What decides on a reason compares it and never looks for words in a diagnosis.
+    """
+
+    NOWHERE = "it does not hold {s.at} any {s.one}{detail}"
+    NOT_REQUIRED = "the conditions of {s.one} do not require it"
+    HOLDS_ELSEWHERE = "it has solutions that are not {s.many}"
+    HOLDS_WITHOUT = "it also holds where there is no {s.one}"
+    HOLDS_WHERE = "it also holds where {detail}, which is not {s.an}"
+    CONTRADICTS = "it cannot hold together with the other equations and the constraints"
+
+
+_UNEXPLAINED = (Reason.NOWHERE, Reason.NOT_REQUIRED, Reason.HOLDS_ELSEWHERE)
+
+
+@record
+class Why:
+    """A reason, and what its sentence says more than others for the same reason."""
+
+    reason: Reason
+    detail: str = ""
+
+    def about(self, subject: Subject) -> str:
+        """The sentence."""
+        return self.reason.format(s=subject, detail=self.detail)
+
+
 MARKS = {
     Verdict.EQUIVALENT: "✓",
     Verdict.WRONG: "✗",
@@ -79,6 +127,8 @@ class EquationVerdict:
     cause  the mistake in a few words, the same for all who made it; empty if it is not known
     model  the name of the model that explains it; empty if none does
     part   of an answer to several questions: the name of the one that it answers
+    why    the reason of which `diagnosis` is the sentence; None if nothing depends on it
+    kind   what an equation is that is none of motion; None if it was not asked
     """
 
     text: str
@@ -90,6 +140,26 @@ class EquationVerdict:
     cause: str = ""
     model: str = ""
     part: str = ""
+    why: Why | None = None
+    kind: Recognised | None = None
+
+    @classmethod
+    def because(cls, text: str, why: Why) -> EquationVerdict:
+        """The verdict that an equation about equilibria is wrong."""
+        return cls(text, Verdict.WRONG, why.about(REST), why=why)
+
+    def is_for(self, *reasons: Reason) -> bool:
+        """Whether one of these is the reason."""
+        return self.why is not None and self.why.reason in reasons
+
+    @property
+    def is_unexplained(self) -> bool:
+        """Whether the diagnosis says no more than that positions are wrong."""
+        return self.is_for(*_UNEXPLAINED) and self.why is not None and not self.why.detail
+
+    def about(self, subject: Subject) -> EquationVerdict:
+        """The verdict with its diagnosis in words of another subject."""
+        return self if self.why is None else replace(self, diagnosis=self.why.about(subject))
 
     @classmethod
     def of(cls, text: str, verdict: Verdict, comment: str) -> EquationVerdict:

@@ -292,6 +292,32 @@ def test_the_search_for_wordings_finds_them() -> None:
     assert wordings(ast.parse('prose("In terms of"); e.label == "virtual-work"'), {}) == []
 
 
+def diagnoses_read(tree: ast.AST) -> list[str]:
+    """Where a module looks into the words of a diagnosis, or of the clause of a changed problem."""
+    return [
+        ast.unparse(node)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr in READING
+        and isinstance(node.func.value, ast.Attribute)
+        and node.func.value.attr in ("diagnosis", "clause")
+        and any(len(str(c.value)) > 2 for c in ast.walk(node) if isinstance(c, ast.Constant))
+    ]
+
+
+@pytest.mark.parametrize("name", [m for m in FILES if m.startswith("lagrange.answers")])
+def test_verdicts_depend_on_reasons(name: str) -> None:
+    """What depends on why an equation is wrong asks for the `Reason`, and never for the words of its diagnosis."""
+    assert diagnoses_read(tree_of(name)) == []
+
+
+def test_the_search_for_diagnoses_finds_them() -> None:
+    found = diagnoses_read(ast.parse('e.diagnosis.startswith("it is a first"); v.clause.endswith("exchanged")'))
+    assert len(found) == 2
+    assert diagnoses_read(ast.parse('e.diagnosis.partition("; "); e.text.startswith("it is")')) == []
+
+
 def test_files_are_short() -> None:
     lengths = {str(p.relative_to(ROOT)): len(p.read_text(encoding="utf-8").splitlines()) for p in FILES.values()}
     assert {f: n for f, n in lengths.items() if n > LONGEST} == {}
