@@ -26,16 +26,18 @@ from lagrange.answers.readings import (
     read_answer,
     without_displacements,
 )
-from lagrange.answers.recognition import FROM_THE_START, WHAT_IT_IS, Recognised, recognised
+from lagrange.answers.recognition import FROM_THE_START, recognised
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.validity import NonzeroCondition, validity_conditions
 from lagrange.answers.verdicts import (
     DIVIDES_BY_ZERO,
     MIXED_CHOICES,
     NOT_JUDGED,
+    WHAT_IT_IS,
     WORST_TO_BEST,
     AnswerVerdict,
     EquationVerdict,
+    Recognised,
     Verdict,
 )
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError

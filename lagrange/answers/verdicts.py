@@ -15,8 +15,7 @@ import re
 import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from enum import StrEnum
-from typing import TYPE_CHECKING
+from enum import Enum, StrEnum, auto
 
 import sympy as sp
 
@@ -29,9 +28,6 @@ from lagrange.document.math_writer import text as plain
 from lagrange.document.math_writer import unicode
 from lagrange.document.names import Notation
 from lagrange.problem.model import Problem
-
-if TYPE_CHECKING:
-    from lagrange.answers.recognition import Recognised
 
 
 class Verdict(StrEnum):
@@ -63,6 +59,47 @@ DIVIDES_BY_ZERO = "it divides by an expression that is exactly zero"
 DOES_NOT_FOLLOW = "it does not follow from the equations of motion"
 MIXED_CHOICES = "it mixes coordinates of several choices; use the file's coordinates and those of one choice"
 UNDECIDED = "it could not be decided whether it is right"
+
+
+class Recognised(Enum):
+    """The kind of an equation that is not an equation of motion."""
+
+    SQUARE = auto()  # of a right equation
+    SUM_OF_SQUARES = auto()
+    POWER = auto()  # of a right equation, or a product of several
+    HOLDS = auto()  # for the motion, and perhaps for other motions
+    NOT_LINEAR = auto()
+    ENERGY = auto()
+    MOMENTUM = auto()
+    INTEGRAL = auto()  # another first integral
+    OF_PARAMETERS = auto()  # the state does not occur in it
+    IMPOSSIBLE = auto()  # 1 = 0
+    NO_ACCELERATION = auto()  # and it does not hold for every motion
+    OTHER = auto()
+
+    @property
+    def is_first_integral(self) -> bool:
+        """Whether its time derivative follows from the equations of motion."""
+        return self in (Recognised.ENERGY, Recognised.MOMENTUM, Recognised.INTEGRAL)
+
+
+WHAT_IT_IS = {
+    Recognised.SQUARE: "it is not linear in the accelerations: it is the square of a correct equation",
+    Recognised.SUM_OF_SQUARES: (
+        "it is not linear in the accelerations: it is composed of squares and products of correct equations"
+    ),
+    Recognised.POWER: "it is not linear in the accelerations: it is a power, or a product, of correct equations",
+    Recognised.HOLDS: "it is not linear in the accelerations, though it holds for the motion",
+    Recognised.NOT_LINEAR: "it is not linear in the accelerations, as an equation of motion must be",
+    Recognised.ENERGY: "it is a first integral, that of energy; {derivative}",
+    Recognised.MOMENTUM: "it is a first integral, that of a momentum; {derivative}",
+    Recognised.INTEGRAL: "it is a first integral; {derivative}",
+    Recognised.OF_PARAMETERS: "it says nothing about the motion, and does not hold for all values of the parameters",
+    Recognised.IMPOSSIBLE: "it can never hold",
+    Recognised.NO_ACCELERATION: "it contains no acceleration, and does not hold in every state of motion",
+    Recognised.OTHER: DOES_NOT_FOLLOW,
+}
+"""What is said of each kind of equation."""
 
 
 @record

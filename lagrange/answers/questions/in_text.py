@@ -32,9 +32,8 @@ from lagrange.answers.questions.texts.frequency_labels import (
 )
 from lagrange.answers.questions.values_in_text import asked_in_text
 from lagrange.answers.readings import read_answer
-from lagrange.answers.recognition import Recognised
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Recognised, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
 from lagrange.answers.written.one_line import each_alternative, without_integrals
 from lagrange.answers.written.reading import read_as_written, tried
