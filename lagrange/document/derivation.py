@@ -390,6 +390,7 @@ class Purpose(Enum):
     MOMENTUM = auto()  # conserved, linear or angular
     AT_REST = auto()
     SMALL_MOTION = auto()
+    EXISTENCE_OPEN = auto()  # Any real solution of (2) is an equilibrium; whether there is one is left open.
     EXISTS = auto()  # By (24), such a position exists if
     LIMIT = auto()
     UNITS = auto()
