@@ -71,7 +71,7 @@ def partials_at(configuration: Configuration, name: str, place: Vector) -> list[
 
 
 def relative_partials(configuration: Configuration, on: str, opposite: str, place: Vector) -> list[Vector]:
-    """The same for one body relative to the other; `opposite` is empty for what does not move."""
+    """The derivatives for one body relative to the other; `opposite` is empty for what does not move."""
     own = partials_at(configuration, on, place)
     if not opposite:
         return own
