@@ -56,6 +56,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
     split_at_divisors,
     verified,
     with_divisors,
+    with_equal_angles,
     with_known_values,
     without_cancelled,
     without_repetitions,
@@ -119,7 +120,7 @@ def _solutions(
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
         alike = merged_branches([with_known_values(b, letters, unknowns) for b in merged_branches(some)])
-        parts = [part for b in alike for part in determined(b, letters, unknowns)]
+        parts = [with_equal_angles(part, letters, unknowns) for b in alike for part in determined(b, letters, unknowns)]
         return without_repetitions(with_shortest_conditions(parts))
 
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.

@@ -136,8 +136,9 @@ def _as_linear(e: sp.Expr, u: sp.Symbol, letters: TrigLetters) -> tuple[sp.Expr,
 def on_circle(state: State, letters: TrigLetters) -> list[State]:
     """The state after eliminating an angle whose cosine and sine two equations give, where one other angle is left.
 
-    Two rods between fixed hinges: 2 cos α = 1 + 3 cos β and 2 sin α = 3 sin β. With numbers only: with letters the
-    equations, and when their triangle closes (`existence`), say more than roots of roots.
+    Two rods between fixed hinges: 2 cos α = 1 + 3 cos β and 2 sin α = 3 sin β. With letters only where what remains is
+    as short as l cos β = a for rods of equal length: otherwise the equations, and when their triangle closes
+    (`existence`), say more.
     """
     for pair in combinations(state.equations, 2):
         for u in [u for u in letters.unknowns if u in letters.angles and u not in state.solved]:
@@ -147,7 +148,9 @@ def on_circle(state: State, letters: TrigLetters) -> list[State]:
             cosine, sine = given
             closing = letters.shortest(sp.expand(cosine**2 + sine**2 - 1))
             others = letters.unknowns_in(closing)
-            if len(others) > 1 or any(letters.of_unknowns.get(s) not in others for s in closing.free_symbols):
+            circular = {s for s in closing.free_symbols if s in letters.of_unknowns}
+            in_numbers = circular == closing.free_symbols
+            if len(others) > 1 or not (in_numbers or _gives_one_term(closing, circular)):
                 continue
             angle = letters.angles[u]
             values = dict(zip(angle.letters, given, strict=True))
@@ -163,6 +166,14 @@ def on_circle(state: State, letters: TrigLetters) -> list[State]:
                 )
             ]
     return []
+
+
+def _gives_one_term(closing: sp.Expr, circular: set[sp.Symbol]) -> bool:
+    """Whether an equation gives one cosine or sine as a product: a² = a l cos β."""
+    if len(circular) != 1 or sp.Poly(closing, *circular).degree() != 1:
+        return False
+    rate, rest = sp.Poly(closing, *circular).all_coeffs()
+    return not any(part.is_Add for part in sp.fraction(sp.cancel(rest / rate)))
 
 
 def _given_point(pair: Sequence[sp.Expr], u: sp.Symbol, letters: TrigLetters) -> tuple[sp.Expr, sp.Expr] | None:

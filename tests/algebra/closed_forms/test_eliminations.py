@@ -42,6 +42,20 @@ def test_two_rods_with_letters_stay_a_triangle() -> None:
     assert not on_circle(*lettered(a * sp.cos(alpha) - b * sp.cos(beta) - 1, a * sp.sin(alpha) - b * sp.sin(beta)))
 
 
+def test_two_equal_rods_with_letters() -> None:
+    """A roof over a span of 2a: both rods at the angle whose cosine is a/l."""
+    [branch] = solutions(
+        [sp.sin(alpha) - sp.sin(beta), b * sp.cos(alpha) + b * sp.cos(beta) - 2 * a], [alpha, beta]
+    ).branches
+    assert [(r.lhs, r.rhs) for r in branch.relations] == [(sp.cos(alpha), a / b), (beta, alpha)]
+    assert branch.points
+    assert not branch.left
+    for p in branch.points:
+        letters = {str(s): v for s, v in p.items()}
+        assert letters["cos(alpha)"] == letters["cos(beta)"] == a / b
+        assert letters["sin(alpha)"] == letters["sin(beta)"]
+
+
 @pytest.mark.parametrize(("long", "short", "base", "number"), [(3, 2, 2, 2), (2, 1, 1, 1), (3, 1, 1, 0), (4, 3, 2, 2)])
 def test_two_rods_between_hinges(long: int, short: int, base: int, number: int) -> None:
     """Two positions, one where the rods are in line, none where they are too short."""
