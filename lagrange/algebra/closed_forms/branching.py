@@ -19,7 +19,7 @@ from itertools import islice, product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
-from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned
+from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned, wave
 from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.limits import (
     MOST_BRANCH_POINTS,
@@ -379,6 +379,7 @@ class _BranchSearch:
         fewer = (
             turned(state, self.letters)
             or self._of_powers(state)
+            or wave(state, self.letters)
             or linear(state, self.letters, self.first, with_unknowns=True)
             or parallel(state, self.letters)
             or on_circle(state, self.letters)

@@ -222,7 +222,8 @@ def in_contact(
     kept = possible(static.at, law.newton, numbers)
     slack, branches = [], []
     for n, (b, there) in enumerate(zip(e.branches, static.at, strict=True)):
-        conditions = {} if there is None else there.contact
+        impossible = would_act_backwards(there, law.newton, numbers)
+        conditions = {} if there is None or impossible else there.contact  # from a false one everything would follow
         branches.append(replace(b, implied=(*b.implied, *conditions.values())) if conditions else b)
         if n not in kept:
             slack.append(b)

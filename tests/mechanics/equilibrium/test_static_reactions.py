@@ -463,3 +463,22 @@ find: [equilibrium]
     assert "N_B = m g/cos θ" in page
     assert "in contact where sin θ ≥ 0; unstable where l > 2a" in page
     assert "because N_B is positive" in page
+
+
+def test_where_a_contact_would_have_to_pull_stability_is_that_of_the_potential() -> None:
+    """A bead inside a cylinder: at the top it is excluded, and V has a maximum there, whatever contact would need."""
+    text = (
+        "title: Bead inside a cylinder\nparameters: [m, g, R]\ncoordinates: [x, y]\n"
+        "particles: {P: {mass: m, position: x*i + y*j}}\n"
+        "constraints: {wall: {equation: x^2 + y^2 <= R^2, reaction: N, by: surface}}\n"
+        "gravity: -g*j\nfind: equilibrium\n"
+    )
+    solution = solve(read_problem(Source("bead.yaml", text)))
+    assert solution.own.equilibrium is not None
+    assert solution.own.stability is not None
+    assert [len(solution.own.equilibrium.slack), len(solution.own.equilibrium.branches)] == [1, 2]
+    verdicts = {
+        str(b.common[sp.Symbol("y", real=True)]): v.verdict.value
+        for b, v in zip(solution.own.equilibrium.branches, solution.own.stability.verdicts, strict=True)
+    }
+    assert verdicts == {"R": "unstable", "-R": "stable"}
