@@ -232,8 +232,10 @@ class _BranchSearch:
                 if zero is None:
                     state = replace(state, stuck=(*state.stuck, e))
                     continue
-                relation = self._for_parameters(e, state)
-                if relation is None:
+                relation = self._for_parameters(e)
+                if relation is not None and relation in state.relations:
+                    continue  # a symmetric system says it twice
+                if relation is None or state.special:
                     return None
                 state = replace(state, special=True, relations=(*state.relations, relation))
                 continue
@@ -301,9 +303,9 @@ class _BranchSearch:
         reduced = self.letters.reduced(e)
         return reduced if reduced == 0 or not self.letters.unknowns_in(reduced) else e
 
-    def _for_parameters(self, e: sp.Expr, state: State) -> Relation | None:
+    def _for_parameters(self, e: sp.Expr) -> Relation | None:
         """An equation between parameters alone, where these may satisfy it."""
-        if state.special or e.is_number:
+        if e.is_number:
             return None
         pieces = irreducible_factors(e) or []
         # Only if exactly one factor can vanish is there one relation between the parameters to state.

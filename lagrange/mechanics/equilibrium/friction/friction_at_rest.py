@@ -20,7 +20,7 @@ tried.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import islice, permutations, product
 
@@ -253,7 +253,7 @@ def _at_rest(
     else:
         lengths = LengthsGiven({})
     wanted = SolvedFor(sought, tuple(c.coefficient for c in contacts), load_parameters(original, problem.unknowns))
-    angles = {p.symbol for p in problem.parameters}
+    angles = {p.symbol for p in problem.parameters} | {*_acute_by_range(configuration)}
     positions = angles | {*configuration.slots.coordinates}
 
     def resting(
@@ -319,6 +319,15 @@ def _at_rest(
             return replace(rest, bounds=bounds_of(bounds, solved.open, signs), always=always(cases, positions, signs))
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
+
+
+def _acute_by_range(configuration: Configuration) -> Iterator[sp.Expr]:
+    """The coordinates between 0 and a right angle, and θ/2 for those between 0 and a straight one."""
+    for q, limits in configuration.ranges.items():
+        if limits.low == 0 and (limits.high - sp.pi / 2).is_nonpositive:
+            yield q
+        if limits.low == 0 and (limits.high - sp.pi).is_nonpositive:
+            yield q / 2
 
 
 def _limits_of(
