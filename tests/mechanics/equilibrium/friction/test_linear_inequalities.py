@@ -90,7 +90,7 @@ def test_an_angle_and_its_half_are_written_in_the_half() -> None:
     half = theta / 2
     e = shortest(sp.sin(half) * sp.sin(theta) / ((1 + sp.cos(theta)) * sp.cos(half)))
     assert e == sp.sin(half) ** 2 / sp.cos(half) ** 2
-    assert Signs({half}).of(sp.sin(theta)) == 1
+    assert Signs({half}).of(sp.tan(half)) == 1
 
 
 def test_cases_that_differ_by_a_sign_alone_are_one() -> None:
