@@ -26,17 +26,18 @@ from lagrange.answers.readings import (
     read_answer,
     without_displacements,
 )
-from lagrange.answers.recognition import FROM_THE_START, Recognised, recognised
+from lagrange.answers.recognition import FROM_THE_START, recognised
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.validity import NonzeroCondition, validity_conditions
 from lagrange.answers.verdicts import (
     DIVIDES_BY_ZERO,
-    DOES_NOT_FOLLOW,
     MIXED_CHOICES,
     NOT_JUDGED,
+    WHAT_IT_IS,
     WORST_TO_BEST,
     AnswerVerdict,
     EquationVerdict,
+    Recognised,
     Verdict,
 )
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
@@ -345,22 +346,6 @@ def _of_one(reading: Reading, standings: Sequence[Standing]) -> EquationVerdict:
 
 
 REDUNDANT = "redundant: it follows from those before it"
-WHAT_IT_IS = {
-    Recognised.SQUARE: "it is not linear in the accelerations: it is the square of a correct equation",
-    Recognised.SUM_OF_SQUARES: (
-        "it is not linear in the accelerations: it is composed of squares and products of correct equations"
-    ),
-    Recognised.POWER: "it is not linear in the accelerations: it is a power, or a product, of correct equations",
-    Recognised.HOLDS: "it is not linear in the accelerations, though it holds for the motion",
-    Recognised.NOT_LINEAR: "it is not linear in the accelerations, as an equation of motion must be",
-    Recognised.ENERGY: "it is a first integral, that of energy; {derivative}",
-    Recognised.MOMENTUM: "it is a first integral, that of a momentum; {derivative}",
-    Recognised.INTEGRAL: "it is a first integral; {derivative}",
-    Recognised.OF_PARAMETERS: "it says nothing about the motion, and does not hold for all values of the parameters",
-    Recognised.IMPOSSIBLE: "it can never hold",
-    Recognised.NO_ACCELERATION: "it contains no acceleration, and does not hold in every state of motion",
-    Recognised.OTHER: DOES_NOT_FOLLOW,
-}
 _DERIVATIVE = {
     True: "its time derivative is the equation asked for",
     False: "its time derivative follows from the equations asked for",
@@ -420,7 +405,9 @@ def _with_reasons(
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
             if force:
                 hints = *hints[:2], advisor.hints(force, change, units, convention, readings[n].sides)[-1]
-            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=force or cause, model=name)
+            equations[n] = replace(
+                equations[n], diagnosis=hints[-1], hints=hints, cause=force or cause, model=name, kind=kind
+            )
             if wanted:
                 explained_together.append((n, partial(advisor.hints, why, None, units, None, readings[n].sides)))
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced and not decimals_in(es):

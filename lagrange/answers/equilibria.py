@@ -42,9 +42,12 @@ from lagrange.answers.results.contradictions import with_contradictions, with_fa
 from lagrange.answers.verdicts import (
     MIXED_CHOICES,
     NOT_JUDGED,
+    REST,
+    STEADY_MOTION,
     WORST_TO_BEST,
     AnswerVerdict,
     EquationVerdict,
+    Subject,
     Verdict,
 )
 from lagrange.answers.written.decimals import as_written, remark_on
@@ -159,7 +162,8 @@ def check_steady_answers(
     Those in one sense are complete if those in the opposite sense are steady too, and those at r > 0 if what is missing
     is the same at r < 0.
     """
-    verdict = _of_steady_motions(check_equilibria(alternatives, conditions, reference))
+    verdict = check_equilibria(alternatives, conditions, reference)
+    verdict = replace(verdict, equations=tuple(e.about(STEADY_MOTION) for e in verdict.equations))
     if verdict.verdict is Verdict.WRONG:
         verdict = _on_one_side(alternatives, conditions, reference) or verdict
     if verdict.verdict is not Verdict.INCOMPLETE:
@@ -213,30 +217,6 @@ def _same_motions(reference: Reference) -> Iterator[tuple[dict[sp.Symbol, sp.Exp
                 )
 
 
-_IN_EQUILIBRIUM = {
-    "which is not an equilibrium": "which is not a steady motion",
-    "that are not equilibria": "that are no steady motions",
-    "there is no equilibrium": "there is no steady motion",
-    "at any equilibrium": "in any steady motion",
-    "the conditions of equilibrium do": "the conditions of steady motion do",
-}
-
-
-def _of_steady_motions(verdict: AnswerVerdict) -> AnswerVerdict:
-    """The verdict in words of steady motions."""
-
-    def said(text: str) -> str:
-        for of_rest, steady in _IN_EQUILIBRIUM.items():
-            text = text.replace(of_rest, steady)
-        return text
-
-    equations = tuple(
-        replace(e, diagnosis=said(e.diagnosis), hints=tuple(map(said, e.hints)), cause=said(e.cause))
-        for e in verdict.equations
-    )
-    return replace(verdict, equations=equations, diagnosis=said(verdict.diagnosis))
-
-
 def _read(alternative: Sequence[Fragment], reference: Reference) -> tuple[tuple[Reading, ...], tuple[Diagnostic, ...]]:
     """The equations of one alternative, and notes; read as an answer with working where one cannot be read alone."""
     readings = tuple(read_answer(f, reference.scope) for f in alternative)
@@ -282,9 +262,10 @@ def explained_equilibria(
     equilibria: Sequence[Equilibrium],
     reference: Reference,
     problem: Problem | None = None,
+    subject: Subject = REST,
 ) -> str:
     """The changed problem whose equilibria the wrong alternatives are, in a sentence; empty if not found."""
-    return within(UNITS_OF_EXPLAINING, lambda: _explained(alternatives, equilibria, reference, problem)) or ""
+    return within(UNITS_OF_EXPLAINING, lambda: _explained(alternatives, equilibria, reference, problem, subject)) or ""
 
 
 def _explained(
@@ -292,12 +273,13 @@ def _explained(
     equilibria: Sequence[Equilibrium],
     reference: Reference,
     problem: Problem | None,
+    subject: Subject,
 ) -> str:
     everything = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
     for e in [e for e in equilibria if e.branches]:
         values = dict(reference.values)
         wrong = [a for a in everything if not _right(_verdict_of([a], e, reference, values))] or everything
-        if why := next(_Wrong(wrong, e, reference, problem).reasons(), ""):
+        if why := next(_Wrong(wrong, e, reference, problem, subject).reasons(), ""):
             return why
     return ""
 
@@ -306,12 +288,17 @@ class _Wrong:
     """Wrong alternatives of an answer, and for which other problem they would be right."""
 
     def __init__(
-        self, wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
+        self,
+        wrong: Sequence[tuple[Reading, ...]],
+        e: Equilibrium,
+        reference: Reference,
+        problem: Problem | None,
+        subject: Subject,
     ) -> None:
         from lagrange.answers.results.at_random import AtRandom
         from lagrange.answers.results.resting import WrongEquilibria
 
-        self.wrong, self.e, self.reference, self.problem = wrong, e, reference, problem
+        self.wrong, self.e, self.reference, self.problem, self.subject = wrong, e, reference, problem, subject
         self.values = dict(reference.values)
         self.stated = [c for a in wrong for r in a for c in r.components]
         self.tried = WrongEquilibria(_components(wrong), e, self.values)
@@ -339,14 +326,14 @@ class _Wrong:
         yield from self._varied(Variation(f"with {a} and {b} exchanged", "", rule={a: b, b: a}) for a, b in pairs)
         if self.problem is not None:
             yield from filter(None, [self.tried.of_differential(self.problem)])
-            yield from _equilibria(self.tried.of_one_force(self.problem, changing=True))
-        yield from self._varied(v for v in variations if v.rule and v.clause.endswith("exchanged"))
+            yield from self._these(self.tried.of_one_force(self.problem, changing=True))
+        yield from self._varied(v for v in variations if v.is_exchange)
         yield from self._varied(angles_and_lengths(self.stated, e))
         yield from self._with_sides(other_waves(self.wrong, slots.coordinates))
         if self.problem is not None and self.tried.tried:
             yield from filter(None, [of_equal_energy(_components(self.wrong), e.configuration)])
-            yield from _equilibria(self.tried.of_changed_problem(self.problem))
-            yield from _equilibria(self.tried.of_one_displacement(self.problem))
+            yield from self._these(self.tried.of_changed_problem(self.problem))
+            yield from self._these(self.tried.of_one_displacement(self.problem))
         bound = geometry_of(e.configuration)
         tied = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
         fit = (v for v in variations if (bound if 0 in v.values.values() else tied).isdisjoint(v.values))
@@ -356,16 +343,20 @@ class _Wrong:
         if others and self.tried.tried:
             yield from self._without_factor(foreign)
         if self.problem is not None:
-            yield from _equilibria(self.tried.of_one_force(self.problem))
+            yield from self._these(self.tried.of_one_force(self.problem))
         if self.tried.tried:
             yield from filter(None, [self.tried.of_displacement()])
         yield from filter(None, [of_another_balance(_components(self.wrong), e.configuration)])
         yield from filter(None, (wrong_dimension(c, self.reference.units) for c in self.stated))
         if foreign:
-            yield f"the conditions of equilibrium do not depend on {', '.join(sorted(foreign))}"
+            yield f"the conditions of {self.subject.one} do not depend on {', '.join(sorted(foreign))}"
+
+    def _these(self, clause: str) -> Iterator[str]:
+        if clause:
+            yield f"these are the {self.subject.many} {clause}"
 
     def _varied(self, variations: Iterable[Variation]) -> Iterator[str]:
-        return (f"these are the equilibria {v.clause}" for v in variations if self._holds(v))
+        return (sentence for v in variations if self._holds(v) for sentence in self._these(v.clause))
 
     def _with_sides(self, changed: Iterable[tuple[str, Sequence[tuple[Reading, ...]]]]) -> Iterator[str]:
         return (sentence for sentence, sides in changed if self._right(sides))
@@ -408,11 +399,6 @@ class _Wrong:
 
 def _components(alternatives: Sequence[tuple[Reading, ...]]) -> list[list[sp.Expr]]:
     return [[c for r in a for c in r.components] for a in alternatives]
-
-
-def _equilibria(clause: str) -> Iterator[str]:
-    if clause:
-        yield f"these are the equilibria {clause}"
 
 
 _AS_IT_IS = Variation("", "")

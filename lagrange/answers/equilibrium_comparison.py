@@ -41,7 +41,7 @@ from lagrange.answers.other_angles import as_waves, on_circle
 from lagrange.answers.readings import Reading
 from lagrange.answers.unsolved_equations import are_balanced
 from lagrange.answers.validity import also_holds
-from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Reason, Verdict, Why
 from lagrange.core.records import all_hold, any_holds, record
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.admissible_positions import is_outside
@@ -50,10 +50,7 @@ from lagrange.mechanics.equilibrium.searched.stated_places import are_covered
 from lagrange.problem.model import Range
 
 RESTATED = "it restates a constraint"
-NOWHERE = "it does not hold at any equilibrium"
-_CONTRADICTS = "it cannot hold together with the other equations and the constraints"
 _DIVIDES = "there are equilibria at which it divides by zero: state them as well"
-_NOT_REQUIRED = "the conditions of equilibrium do not require it"
 
 
 @record
@@ -340,9 +337,7 @@ class EquilibriumComparison:
         if right is False and not loose and all(v.verdict is not Verdict.WRONG for v in tested):
             # Some solutions are no equilibria: no equation is right then, not even one that may hold at unknown ones.
             open_verdicts = (Verdict.EQUIVALENT, Verdict.UNDECIDED)
-            tested = [
-                replace(v, verdict=Verdict.WRONG, diagnosis=why) if v.verdict in open_verdicts else v for v in tested
-            ]
+            tested = [EquationVerdict.because(v.text, why) if why and v.verdict in open_verdicts else v for v in tested]
         return _Judged(right, loose, tuple(tested))
 
     def _evident(self, reading: Reading, equations: Sequence[sp.Expr]) -> EquationVerdict | None:
@@ -365,7 +360,11 @@ class EquilibriumComparison:
             needed = self._is_needed(rest, a.angles, values, right)
             if needed is None:
                 return EquationVerdict(text, Verdict.UNDECIDED, UNDECIDED)
-            return EquationVerdict(text, Verdict.EQUIVALENT) if needed else _wrong(text, _NOT_REQUIRED)
+            return (
+                EquationVerdict(text, Verdict.EQUIVALENT)
+                if needed
+                else EquationVerdict.because(text, Why(Reason.NOT_REQUIRED))
+            )
         if right:
             return EquationVerdict(text, Verdict.EQUIVALENT)
         angles: Mapping[sp.Symbol, sp.Expr] = {}
@@ -377,7 +376,7 @@ class EquilibriumComparison:
             return EquationVerdict(text, Verdict.UNDECIDED, UNDECIDED)
         if somewhere:
             return EquationVerdict(text, Verdict.EQUIVALENT)
-        return _wrong(text, NOWHERE + self._unless(equations, angles))
+        return EquationVerdict.because(text, Why(Reason.NOWHERE, self._unless(equations, angles)))
 
     def _is_needed(
         self, rest: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr], values: Values, right: bool | None
@@ -489,7 +488,7 @@ class EquilibriumComparison:
 
     def _right(
         self, equations: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr]
-    ) -> tuple[bool | None, bool, str]:
+    ) -> tuple[bool | None, bool, Why | None]:
         """Whether all solutions of the equations are equilibria; whether equations are missing; what is wrong."""
         equations, values = parameters_given(equations, self.unknowns)
         given = {**values, **angles}
@@ -499,24 +498,24 @@ class EquilibriumComparison:
         try:
             own = solutions([*equations, *rows], self.unknowns, self.forces, known=angles, beside=conditions)
         except NotAlgebraicError:
-            return None, False, ""
+            return None, False, None
         if own.solved:
             if not own.branches:  # the sign of a root of parameters, by which one equation holds, may depend on them
-                return None if is_one_with_root(equations, self.unknowns) else False, False, _CONTRADICTS
+                return None if is_one_with_root(equations, self.unknowns) else False, False, Why(Reason.CONTRADICTS)
             if not values and len(equations) + len(angles) > 1 and all(b.special for b in own.branches):
-                return False, False, _CONTRADICTS  # θ = 0, and cos θ = W/(c l)
+                return False, False, Why(Reason.CONTRADICTS)  # θ = 0, and cos θ = W/(c l)
             named = {s for e in equations for s in e.free_symbols} | {*angles}
             return self._solutions_right(own, given, [u for u in self.unknowns if u in named])
         if self._same_factors(equations):
-            return True, False, ""
+            return True, False, None
         if len(equations) + len(angles) < len(self.conditions) - len(self.rows):
-            return False, True, ""
+            return False, True, None
         if angles:
-            return None, False, ""
+            return None, False, None
         known = {**self.values, **given}
         balanced_on = partial(is_balanced_on, self.equilibrium, values=known)
         verdict = are_balanced(equations, rows, self.unknowns, self._canonical, balanced_on)
-        return verdict, False, "it has solutions that are not equilibria" if verdict is False else ""
+        return verdict, False, Why(Reason.HOLDS_ELSEWHERE) if verdict is False else None
 
     def _same_factors(self, equations: Sequence[sp.Expr]) -> bool:
         """Whether the equations have the same factors as the conditions of equilibrium."""
@@ -525,7 +524,7 @@ class EquilibriumComparison:
 
     def _solutions_right(
         self, own: SolutionSet, values: Values, named: Sequence[sp.Symbol]
-    ) -> tuple[bool | None, bool, str]:
+    ) -> tuple[bool | None, bool, Why | None]:
         """As `_right`, for an alternative that is solved in closed form and names some unknowns.
 
         A solution that is no equilibrium but leaves more unknowns open than an equilibrium does may contain equilibria:
@@ -555,8 +554,8 @@ class EquilibriumComparison:
             elif self._open(point, own) > least:
                 loose = True
             else:
-                return False, False, NOWHERE if len(own.branches) == len(b.points) == 1 else also_holds(b)
-        return (False if loose else verdict), loose, ""
+                return False, False, Why(Reason.NOWHERE) if len(own.branches) == len(b.points) == 1 else also_holds(b)
+        return (False if loose else verdict), loose, None
 
     def _is_conditional(self, own: SolutionSet, point: Values, values: Values) -> bool:
         """Whether a solution of the answer is an equilibrium under the condition of a branch: 5 H ≥ g.
@@ -591,7 +590,3 @@ class EquilibriumComparison:
         """The number of unknowns that a point leaves undetermined."""
         angles = solution.letters.angles
         return sum(u not in point and (u not in angles or angles[u].cosine not in point) for u in self.unknowns)
-
-
-def _wrong(text: str, why: str) -> EquationVerdict:
-    return EquationVerdict(text, Verdict.WRONG, why)

@@ -39,6 +39,7 @@ from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
     AnswerVerdict,
     Judgement,
+    Reason,
     Verdict,
 )
 from lagrange.answers.written.joined_lines import has_sign_of_equality
@@ -380,9 +381,9 @@ class Examiner:
         tried = (alternatives_of(working.judged), wrong if len(wrong) < len(working.judged) else [])
         explanations = (explained_rest(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
         why = next(filter(None, explanations), "")
-        others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
+        others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and not e.is_unexplained]
         occurring = {s.name for e in equilibria for c in e.conditions for s in c.expression.free_symbols}
-        letters = (_letters(e.text) for e in verdict.equations if e.diagnosis == _NOT_REQUIRED)
+        letters = (_letters(e.text) for e in verdict.equations if e.is_for(Reason.NOT_REQUIRED))
         if not why or others or not all(those & occurring for those in letters):
             return verdict  # no changed problem gives W = 7 l where neither letter occurs
         equations = tuple(
@@ -392,7 +393,7 @@ class Examiner:
                 diagnosis=f"{e.diagnosis}; {why}",
                 cause=why,
             )
-            if e.verdict is Verdict.WRONG and e.diagnosis in _UNEXPLAINED
+            if e.verdict is Verdict.WRONG and e.is_unexplained
             else e
             for e in verdict.equations
         )
@@ -478,10 +479,6 @@ def _is_definition(fragment: Fragment, defined: Mapping[str, sp.Expr]) -> bool:
 
 
 _WORD = re.compile(r"[^\W\d]\w*")
-_NOT_REQUIRED = "the conditions of equilibrium do not require it"
-_UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED, "it has solutions that are not equilibria")
-"""Diagnoses of equilibria that say only that they are wrong."""
-
 
 _RIGHT = (Verdict.EQUIVALENT,)
 

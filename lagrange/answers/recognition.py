@@ -22,7 +22,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
-from enum import Enum, auto
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -32,29 +31,13 @@ from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.limits import MAX_POWER, STATES
+from lagrange.answers.verdicts import Recognised
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import CONSTANT, Sign, base, prime, t
 from lagrange.mechanics.dynamics.comparison import Standing, System, affine_rows, compare, random_state, symbols_of
 
 if TYPE_CHECKING:
     from lagrange.mechanics.results import InCoordinates, Solution
-
-
-class Recognised(Enum):
-    """The kind of an equation that is not an equation of motion."""
-
-    SQUARE = auto()  # of a right equation
-    SUM_OF_SQUARES = auto()
-    POWER = auto()  # of a right equation, or a product of several
-    HOLDS = auto()  # for the motion, and perhaps for other motions
-    NOT_LINEAR = auto()
-    ENERGY = auto()
-    MOMENTUM = auto()
-    INTEGRAL = auto()  # another first integral
-    OF_PARAMETERS = auto()  # the state does not occur in it
-    IMPOSSIBLE = auto()  # 1 = 0
-    NO_ACCELERATION = auto()  # and it does not hold for every motion
-    OTHER = auto()
 
 
 def recognised(equation: sp.Expr, system: System, *, linear: bool) -> Recognised:

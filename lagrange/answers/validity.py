@@ -38,6 +38,7 @@ from lagrange.answers.limits import (
     MAX_KEPT_FACTORS,
     MAX_NAMED_SIZE,
 )
+from lagrange.answers.verdicts import Reason, Why
 from lagrange.core.determinants import expanded_determinant
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
@@ -316,9 +317,9 @@ def _is_wave(e: sp.Expr) -> bool:
     return isinstance(e, sp.sin | sp.cos) and bool(e.free_symbols)
 
 
-def also_holds(b: Branch) -> str:
+def also_holds(b: Branch) -> Why:
     """Where an answer holds without equilibrium: on a branch of its solutions."""
     if not b.relations:
-        return "it also holds where there is no equilibrium"
+        return Why(Reason.HOLDS_WITHOUT)
     stated = " and ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in b.relations)
-    return f"it also holds where {stated}, which is not an equilibrium"
+    return Why(Reason.HOLDS_WHERE, stated)

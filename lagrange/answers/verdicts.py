@@ -15,7 +15,7 @@ import re
 import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from enum import StrEnum
+from enum import Enum, StrEnum, auto
 
 import sympy as sp
 
@@ -60,6 +60,91 @@ DOES_NOT_FOLLOW = "it does not follow from the equations of motion"
 MIXED_CHOICES = "it mixes coordinates of several choices; use the file's coordinates and those of one choice"
 UNDECIDED = "it could not be decided whether it is right"
 
+
+class Recognised(Enum):
+    """The kind of an equation that is not an equation of motion."""
+
+    SQUARE = auto()  # of a right equation
+    SUM_OF_SQUARES = auto()
+    POWER = auto()  # of a right equation, or a product of several
+    HOLDS = auto()  # for the motion, and perhaps for other motions
+    NOT_LINEAR = auto()
+    ENERGY = auto()
+    MOMENTUM = auto()
+    INTEGRAL = auto()  # another first integral
+    OF_PARAMETERS = auto()  # the state does not occur in it
+    IMPOSSIBLE = auto()  # 1 = 0
+    NO_ACCELERATION = auto()  # and it does not hold for every motion
+    OTHER = auto()
+
+    @property
+    def is_first_integral(self) -> bool:
+        """Whether its time derivative follows from the equations of motion."""
+        return self in (Recognised.ENERGY, Recognised.MOMENTUM, Recognised.INTEGRAL)
+
+
+WHAT_IT_IS = {
+    Recognised.SQUARE: "it is not linear in the accelerations: it is the square of a correct equation",
+    Recognised.SUM_OF_SQUARES: (
+        "it is not linear in the accelerations: it is composed of squares and products of correct equations"
+    ),
+    Recognised.POWER: "it is not linear in the accelerations: it is a power, or a product, of correct equations",
+    Recognised.HOLDS: "it is not linear in the accelerations, though it holds for the motion",
+    Recognised.NOT_LINEAR: "it is not linear in the accelerations, as an equation of motion must be",
+    Recognised.ENERGY: "it is a first integral, that of energy; {derivative}",
+    Recognised.MOMENTUM: "it is a first integral, that of a momentum; {derivative}",
+    Recognised.INTEGRAL: "it is a first integral; {derivative}",
+    Recognised.OF_PARAMETERS: "it says nothing about the motion, and does not hold for all values of the parameters",
+    Recognised.IMPOSSIBLE: "it can never hold",
+    Recognised.NO_ACCELERATION: "it contains no acceleration, and does not hold in every state of motion",
+    Recognised.OTHER: DOES_NOT_FOLLOW,
+}
+"""What is said of each kind of equation."""
+
+
+@record
+class Subject:
+    """What the positions of an answer are, as nouns of its diagnoses."""
+
+    one: str
+    many: str
+    an: str
+    at: str
+
+
+REST = Subject("equilibrium", "equilibria", "an equilibrium", "at")
+STEADY_MOTION = Subject("steady motion", "steady motions", "a steady motion", "in")
+
+
+class Reason(StrEnum):
+    """Why an equation is wrong or undecided, where the verdict on others depends on it: its sentence about a subject.
+
+    What decides on a reason compares it and never looks for words in a diagnosis.
+    """
+
+    NOWHERE = "it does not hold {s.at} any {s.one}{detail}"
+    NOT_REQUIRED = "the conditions of {s.one} do not require it"
+    HOLDS_ELSEWHERE = "it has solutions that are not {s.many}"
+    HOLDS_WITHOUT = "it also holds where there is no {s.one}"
+    HOLDS_WHERE = "it also holds where {detail}, which is not {s.an}"
+    CONTRADICTS = "it cannot hold together with the other equations and the constraints"
+
+
+_UNEXPLAINED = (Reason.NOWHERE, Reason.NOT_REQUIRED, Reason.HOLDS_ELSEWHERE)
+
+
+@record
+class Why:
+    """A reason, and what its sentence says more than others for the same reason."""
+
+    reason: Reason
+    detail: str = ""
+
+    def about(self, subject: Subject) -> str:
+        """The sentence."""
+        return self.reason.format(s=subject, detail=self.detail)
+
+
 MARKS = {
     Verdict.EQUIVALENT: "✓",
     Verdict.WRONG: "✗",
@@ -79,6 +164,8 @@ class EquationVerdict:
     cause  the mistake in a few words, the same for all who made it; empty if it is not known
     model  the name of the model that explains it; empty if none does
     part   of an answer to several questions: the name of the one that it answers
+    why    the reason of which `diagnosis` is the sentence; None if nothing depends on it
+    kind   what an equation is that is none of motion; None if it was not asked
     """
 
     text: str
@@ -90,6 +177,26 @@ class EquationVerdict:
     cause: str = ""
     model: str = ""
     part: str = ""
+    why: Why | None = None
+    kind: Recognised | None = None
+
+    @classmethod
+    def because(cls, text: str, why: Why) -> EquationVerdict:
+        """The verdict that an equation about equilibria is wrong."""
+        return cls(text, Verdict.WRONG, why.about(REST), why=why)
+
+    def is_for(self, *reasons: Reason) -> bool:
+        """Whether one of these is the reason."""
+        return self.why is not None and self.why.reason in reasons
+
+    @property
+    def is_unexplained(self) -> bool:
+        """Whether the diagnosis says no more than that positions are wrong."""
+        return self.is_for(*_UNEXPLAINED) and self.why is not None and not self.why.detail
+
+    def about(self, subject: Subject) -> EquationVerdict:
+        """The verdict with its diagnosis in words of another subject."""
+        return self if self.why is None else replace(self, diagnosis=self.why.about(subject))
 
     @classmethod
     def of(cls, text: str, verdict: Verdict, comment: str) -> EquationVerdict:

@@ -52,8 +52,8 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     if any(c != 0 for i in m.inertias for c in i.columns[-1]):  # what a moving frame adds to K is not among the parts
         fixed = all(d.satisfied(squares, m) for d in draws)
         return "these are the frequencies for a frame or support that does not move" if fixed else ""
-    whole = (v for v in models.variations if "the component along" not in v[1].clause)
-    parts = (v for v in models.variations if "the component along" in v[1].clause)  # at an equilibrium often all of it
+    whole = (v for v in models.variations if not v[1].component)
+    parts = (v for v in models.variations if v[1].component)  # at an equilibrium often all of it
     for name, variation in (*whole, *parts):
         changed = variation.mechanics
         if name in _LIKELY and changed is not None and all(d.satisfied(squares, changed) for d in draws):

@@ -119,7 +119,8 @@ def _component_left_out(m: Mechanics) -> Iterator[Variation]:
         axes = [a for a in range(3) if any(c[a] != 0 for c in p.columns)]
         for a in axes if len(axes) > 1 else ():
             clause = f"without the component along {'ijk'[a]} of the velocity of {called(p.name)}"
-            yield Variation(clause, f"the velocity of {called(p.name)}", _changed(m, p, _lacking(p, a, p.moving)))
+            place, lacking = f"the velocity of {called(p.name)}", _changed(m, p, _lacking(p, a, p.moving))
+            yield Variation(clause, place, lacking, component=True)
     for r in m.rotations:
         for a, i in ((a, i) for a in range(3) for i in r.moving[: len(m.slots.coordinates)]):
             others = [k for k in r.moving if k != i and r.columns[k][a] != 0]

@@ -101,7 +101,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             return balanced
         bound = geometry_of(models.system.configuration)
         variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers, bound)
-        likely = [v for v in variations if v.values or v.clause.endswith("exchanged")]
+        likely = [v for v in variations if v.values or v.is_exchange]
         for variation in likely:
             if bound.isdisjoint(variation.values) and all(claim_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"

@@ -352,6 +352,7 @@ class Variation:
     rule       what the answer's symbols would have to mean for it to be right
     values     the special case in which the answer, which does not contain these symbols, is right
     quasi      the equations in quasi-velocities, if these are what changes; `mechanics` is unchanged then
+    component  whether it leaves out one component of a velocity
     """
 
     clause: str
@@ -360,6 +361,12 @@ class Variation:
     rule: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     quasi: VariedQuasiEquations | None = None
+    component: bool = False
+
+    @property
+    def is_exchange(self) -> bool:
+        """Whether symbols have to exchange their meanings."""
+        return bool(self.rule) and all(self.rule.get(new) == old for old, new in self.rule.items())
 
     @property
     def is_steady(self) -> bool:

@@ -15,6 +15,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.limits import LONGEST_SQUARE
 from lagrange.answers.models.questions import explained_value
+from lagrange.answers.verdicts import Subject
 from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -22,7 +23,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 _WAVES = (sp.sin, sp.cos, sp.tan)
 
 
-def explained_position(wrong: Sequence[sp.Expr], e: Equilibrium) -> str:
+def explained_position(wrong: Sequence[sp.Expr], e: Equilibrium, subject: Subject) -> str:
     """What one wrong equation for a position is instead, in a sentence; empty if not found.
 
     wrong  its terms on one side
@@ -39,7 +40,7 @@ def explained_position(wrong: Sequence[sp.Expr], e: Equilibrium) -> str:
             if max(sp.count_ops(claim), sp.count_ops(right)) > LONGEST_SQUARE:
                 continue
             try:
-                if why := next(_differences(claim, right, relation.lhs), ""):
+                if why := next(_differences(claim, right, relation.lhs, subject), ""):
                     return why
             except (DivisionByZeroError, NoPointError, UnsupportedError):
                 continue
@@ -69,11 +70,11 @@ def _by_sines(e: sp.Expr) -> sp.Expr:
     return sp.cancel(sp.together(sp.expand_trig(e)))
 
 
-def _differences(claim: sp.Expr, right: sp.Expr, wave: sp.Expr) -> Iterator[str]:
+def _differences(claim: sp.Expr, right: sp.Expr, wave: sp.Expr, subject: Subject) -> Iterator[str]:
     letters = sorted(right.free_symbols, key=str)
     for p, q in combinations([s for s in letters if s in claim.free_symbols], 2):
         if is_zero(claim - right.xreplace({p: q, q: p})) is True:
-            yield f"these are the equilibria with {p} and {q} exchanged"
+            yield f"these are the {subject.many} with {p} and {q} exchanged"
     if is_zero(claim + right) is True:
         yield f"{text(wave, Notation())} has the wrong sign"
     if claim != 0 and (why := explained_value(claim, right, set())):
@@ -84,4 +85,4 @@ def _differences(claim: sp.Expr, right: sp.Expr, wave: sp.Expr) -> Iterator[str]
         if slope != 0 and p not in slope.free_symbols:
             special = sp.cancel(-above.xreplace({p: sp.S.Zero}) / slope)
             if special.is_number:
-                yield f"these are the equilibria for {p} = {text(special, Notation())} alone"
+                yield f"these are the {subject.many} for {p} = {text(special, Notation())} alone"

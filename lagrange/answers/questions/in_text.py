@@ -33,7 +33,7 @@ from lagrange.answers.questions.texts.frequency_labels import (
 from lagrange.answers.questions.values_in_text import asked_in_text
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Recognised, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
 from lagrange.answers.written.one_line import each_alternative, without_integrals
 from lagrange.answers.written.reading import read_as_written, tried
@@ -56,7 +56,6 @@ _SECOND_VARIATION = re.compile(
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
 _JUDGED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG)
 _MAY_BE_ENERGY = re.compile(r"[\s$&]*(?:T|K)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
-_NO_STATEMENT = "it says nothing about the motion"
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
 )
@@ -311,7 +310,7 @@ def _is_about(judged: Judgement, stated: Sequence[Fragment], reference: Referenc
     """Whether lines that look like frequencies are about something else: right as such, or in names of the problem."""
     if judged.verdict is Verdict.EQUIVALENT:
         return True
-    if all(e.diagnosis.startswith(_NO_STATEMENT) for e in judged.each):
+    if all(e.kind is Recognised.OF_PARAMETERS for e in judged.each):
         return False
     return all(name_of_frequency(f) in reference.declared for f in stated)
 

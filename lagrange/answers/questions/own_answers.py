@@ -14,9 +14,12 @@ from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
+    REST,
+    STEADY_MOTION,
     WORST_TO_BEST,
     AnswerVerdict,
     EquationVerdict,
+    Subject,
     Verdict,
     missing_equilibria,
 )
@@ -280,8 +283,8 @@ def explained_steady(
         scope = reference_of_solution(solution).scope  # an equation without an undeclared tension, by itself
         tried = [[(f,)] for f in alternatives[0] if read_answer(f, scope).error is None] or tried
     changed = _changed_steady_motion(alternatives, solution) if verdict.verdict is Verdict.WRONG else ""
-    whys = (_about_equilibria(verdict, a, conditions, solution) for a in tried)
-    return replace(verdict, diagnosis=changed or next(filter(None, whys), "").replace("equilibria", "steady motions"))
+    whys = (_about_equilibria(verdict, a, conditions, solution, STEADY_MOTION) for a in tried)
+    return replace(verdict, diagnosis=changed or next(filter(None, whys), ""))
 
 
 def _changed_steady_motion(alternatives: Sequence[Sequence[Fragment]], solution: Solution) -> str:
@@ -302,13 +305,14 @@ def _about_equilibria(
     alternatives: Sequence[Sequence[Fragment]],
     equilibria: Sequence[Equilibrium],
     solution: Solution,
+    subject: Subject = REST,
 ) -> str:
-    """What is missing, or of which changed problem these are the equilibria."""
+    """What is missing, or the changed problem that has these positions."""
     if verdict.verdict is Verdict.INCOMPLETE:
         return missing_equilibria(verdict.missing)
     if verdict.verdict is not Verdict.WRONG:
         return ""
-    return explained_rest(alternatives, equilibria, reference_of_solution(solution), solution.problem)
+    return explained_rest(alternatives, equilibria, reference_of_solution(solution), solution.problem, subject)
 
 
 def explained_rest(
@@ -316,19 +320,20 @@ def explained_rest(
     equilibria: Sequence[Equilibrium],
     reference: Reference,
     problem: Problem | None,
+    subject: Subject = REST,
 ) -> str:
-    """Of which changed problem these are the equilibria, or in which place a value differs; empty if not found."""
+    """Which changed problem has these positions, or where a value differs; empty if not found."""
     from lagrange.answers.equilibria import explained_equilibria
     from lagrange.answers.models.positions import explained_position
 
-    if why := explained_equilibria(alternatives, equilibria, reference, problem):
+    if why := explained_equilibria(alternatives, equilibria, reference, problem, subject):
         return why
     readings = [read_answer(f, reference.scope) for a in alternatives for f in a]
     equations = [c for r in readings for c in r.components]
     known = {*reference.parameters.values(), *reference.scope.slots.coordinates, *reference.scope.slots.velocities}
     if not all(known.issuperset(e.free_symbols) for e in equations):
         return ""  # with a tension that is to be eliminated it gives no position by itself
-    return next(filter(None, (explained_position(equations, e) for e in equilibria)), "")
+    return next(filter(None, (explained_position(equations, e, subject) for e in equilibria)), "")
 
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:

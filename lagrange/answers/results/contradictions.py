@@ -20,10 +20,9 @@ import sympy as sp
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.answers.equilibrium_comparison import NOWHERE
 from lagrange.answers.limits import LONGEST_FACTORED
 from lagrange.answers.readings import Reading
-from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Reason, Verdict, Why
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
@@ -38,7 +37,7 @@ def with_contradictions(verdict: AnswerVerdict, readings: Sequence[Sequence[Read
     if verdict.verdict is not Verdict.INCOMPLETE or len(flat) != len(verdict.equations):
         return verdict
     equations = [
-        EquationVerdict.of(e.text, Verdict.WRONG, NOWHERE) if _contradicts(a, n, judge) else e
+        EquationVerdict.because(e.text, Why(Reason.NOWHERE)) if _contradicts(a, n, judge) else e
         for e, (a, n) in zip(verdict.equations, flat, strict=True)
     ]
     if all(e.verdict is not Verdict.WRONG for e in equations):
@@ -54,7 +53,7 @@ def _contradicts(system: Sequence[Reading], n: int, judge: Judge) -> bool:
     alone, rest = judge([[system[n]]]), judge([[*system[:n], *system[n + 1 :]]])
     if alone is None or rest is None or rest.verdict not in _RIGHT:
         return False
-    return alone.verdict is Verdict.WRONG and all(e.diagnosis.startswith(NOWHERE) for e in alone.equations)
+    return alone.verdict is Verdict.WRONG and all(e.is_for(Reason.NOWHERE) for e in alone.equations)
 
 
 def _symbols(readings: Sequence[Reading]) -> set[sp.Basic]:
@@ -71,15 +70,12 @@ def with_factors_of_parameters(
     if len(readings) != len(verdict.equations):
         return verdict
     equations = tuple(
-        EquationVerdict.of(v.text, Verdict.WRONG, HOLDS_ELSEWHERE) if _holds_elsewhere(r, equilibria) else v
+        EquationVerdict.because(v.text, Why(Reason.HOLDS_ELSEWHERE)) if _holds_elsewhere(r, equilibria) else v
         for v, [r] in zip(verdict.equations, readings, strict=True)
     )
     if equations == verdict.equations:
         return verdict
     return replace(verdict, verdict=Verdict.WRONG, equations=equations, missing=0)
-
-
-HOLDS_ELSEWHERE = "it has solutions that are not equilibria"
 
 
 def _holds_elsewhere(reading: Reading, equilibria: Sequence[Equilibrium]) -> bool:

@@ -66,8 +66,8 @@ _LESS_LIKELY = (_OTHER_FACTOR, "force in the wrong equation")
 """At rest an arm is taken wrongly more often than a weight, and a force forgotten more often than reversed."""
 _ACTING_SOMEWHERE = (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE)
 _ELASTIC = (AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL)
-_INVERSE = {"twice as large": "half", "half as large": "twice"}
-_OTHER_SIZE = {"twice as large": "half as large", "half as large": "twice as large"}
+_SIZES = {sp.Integer(2): ("twice", "half"), sp.Rational(1, 2): ("half", "twice")}
+"""A factor in words, and its inverse."""
 
 
 class Resting:
@@ -204,15 +204,17 @@ class Resting:
         scaled, rest = [f for f, g in pairs if f != g], [f for f, g in pairs if f == g and any(f.shares)]
         if all(any(not s.free_symbols.isdisjoint(self.equilibrium.forces) for s in f.shares) for f in scaled):
             return None
-        size = next((w for w in _INVERSE if variation.clause.endswith(w)), "")
-        if not size or any(f.kind not in _ACTING_SOMEWHERE for f in scaled):
+        factors = {g.factor / f.factor if f.shares == g.shares else None for f, g in pairs if f != g}
+        factor = next(iter(factors)) if len(factors) == 1 else None
+        if factor not in _SIZES or any(f.kind not in _ACTING_SOMEWHERE for f in scaled):
             return variation
-        clause = f"{variation.clause}, or acting at {size.split()[0]} the distance"
+        size, inverse = _SIZES[factor]
+        clause = f"{variation.clause}, or acting at {size} the distance"
         if len(rest) == 1 and rest[0].kind in _ACTING_SOMEWHERE:
-            clause = f"{clause}, or for {name_of(rest[0])} acting at {_INVERSE[size]} the distance"
+            clause = f"{clause}, or for {name_of(rest[0])} acting at {inverse} the distance"
         elif rest and all(f.kind in _ELASTIC for f in rest):
             names = " and ".join(map(name_of, rest))
-            clause = f"{clause}, or for {names} {_OTHER_SIZE[size]}"
+            clause = f"{clause}, or for {names} {inverse} as large"
         return replace(variation, clause=clause)
 
     def _driven(self, inertias: Sequence[Inertia]) -> bool:

@@ -226,7 +226,8 @@ def _says_steady(equation: Fragment, reference: Reference) -> bool:
 
 
 def _is_integral(verdict: AnswerVerdict, n: int) -> bool:
-    return verdict.equations[n].diagnosis.startswith("it is a first integral")
+    kind = verdict.equations[n].kind
+    return kind is not None and kind.is_first_integral
 
 
 def _integrals_alone(

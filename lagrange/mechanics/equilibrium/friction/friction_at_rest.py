@@ -202,7 +202,7 @@ def rest_with_friction(
 
 
 def _least_demanding(positions: Sequence[AtRest], signs: Signs) -> AtRest:
-    """Of several positions the one in which the system can be at rest wherever it can be in another one.
+    """The position in which the system can be at rest whenever it can be in any of the others.
 
     Raises NotCoveredError if there is none.
     """
@@ -227,7 +227,7 @@ def _at_rest(
     position: Mapping[sp.Symbol, sp.Expr],
     only: bool,
 ) -> AtRest:
-    """The same in one position, with conditions about these unknown forces; the others are eliminated.
+    """Where the system can be at rest in one position, as conditions on these unknown forces; others are eliminated.
 
     only  whether it is the only position
     """

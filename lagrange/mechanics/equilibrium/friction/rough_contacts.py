@@ -151,9 +151,15 @@ def keeping_from_slip(
 ) -> tuple[Reaction, ...]:
     """The reactions, apart from the normal one, that act where what a friction is on touches.
 
-    A string or rod there is something else that holds it, beside friction.
+    A string or rod there is something else that holds it, beside friction; so is a guide elsewhere whose force passes
+    through the point of contact only in the positions that the constraints admit.
     """
     normal, _, place = rough_contact(friction, frictions, newton, original)
+
+    def acts_there(r: Reaction) -> bool | None:
+        other = next((n for n in r.acts_on if n != friction.on), "")
+        return acts_at(r, friction.on, other, place, original, anywhere=not r.constraint.kinematic)
+
     return tuple(
         r
         for r in newton.reactions
@@ -161,5 +167,5 @@ def keeping_from_slip(
         and r.constraint.side is None
         and r.tension is None
         and r.on(friction.on) is not None
-        and acts_at(r, friction.on, next((n for n in r.acts_on if n != friction.on), ""), place, original)
+        and acts_there(r)
     )
