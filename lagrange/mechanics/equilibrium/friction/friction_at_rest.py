@@ -411,7 +411,8 @@ def _sum(a: Inequality, b: Inequality) -> Inequality:
 
 def _one_sided(solved: SolvedBalance) -> list[Inequality]:
     """That one-sided constraints only push or pull."""
-    return [_scaled(sense, solved.linear[r.force]) for r, sense in solved.one_sided]
+    strings = [solved.linear[u] for u in solved.pulling if u in solved.linear]
+    return [*(_scaled(sense, solved.linear[r.force]) for r, sense in solved.one_sided), *strings]
 
 
 def _in_cones(solved: SolvedBalance, contacts: Sequence[RoughContact]) -> list[Inequality]:
@@ -454,10 +455,8 @@ def _determined(
     """The bounds themselves; None if one of them never holds."""
     conditions: list[RestCondition] = []
     rough = {c.reaction.name for c in contacts if not c.also}
-    for r, sense in solved.one_sided:
-        if r.name in rough:
-            continue
-        slack = solved.forces[r.force] * sense
+    smooth = [solved.forces[r.force] * sense for r, sense in solved.one_sided if r.name not in rough]
+    for slack in (*smooth, *(solved.forces[u] for u in solved.pulling if u in solved.forces)):
         sign = signs.of(slack)
         if sign == -1:
             return None

@@ -81,7 +81,9 @@ class Signs:
         return None, ()
 
     def _assumed(self, e: sp.Expr) -> tuple[sp.Expr, ...]:
-        return tuple(sorted((f for f in e.atoms(sp.sin, sp.cos) if f.args[0] in self.acute), key=str))
+        return tuple(
+            sorted((f for f in e.atoms(sp.sin, sp.cos) if f.args[0] in self.acute and sign_of(f) is None), key=str)
+        )
 
     def assuming(self, positive: sp.Expr) -> Signs:
         """The same with one more expression that is positive; `used` is shared."""
@@ -191,14 +193,14 @@ def _reduced(case: Case, signs: Signs) -> Case:
     kept = []
     for e in others:
         quotient = shortest(e / side)
-        if count_operations(quotient) < count_operations(e) and _is_implied(quotient, side, signs, at_limit=True):
+        if count_operations(quotient) < count_operations(e) and is_implied(quotient, side, signs, at_limit=True):
             e = quotient
-        if not _is_implied(e, side, signs):
+        if not is_implied(e, side, signs):
             kept.append(e)
     return replace(case, slacks=(side, *dict.fromkeys(kept)))
 
 
-def _is_implied(e: sp.Expr, side: sp.Expr, signs: Signs, at_limit: bool = False) -> bool:
+def is_implied(e: sp.Expr, side: sp.Expr, signs: Signs, at_limit: bool = False) -> bool:
     """Whether e ≥ 0 where side > 0, or where side = 0: with a letter written as its value at the limit and more."""
     try:
         limits = [*_where_it_vanishes(side, signs)]
@@ -229,7 +231,7 @@ def _merged(cases: Sequence[Case], signs: Signs) -> list[Case]:
         ours, theirs = one.slacks[1:], other.slacks[1:]
         more = [e for e in ours if all(signs.of(shortest(e / t)) != 1 for t in theirs)]
         fewer = all(any(signs.of(shortest(t / e)) == 1 for e in ours) for t in theirs)
-        if fewer and all(_is_implied(e, other.slacks[0], signs) for e in more):
+        if fewer and all(is_implied(e, other.slacks[0], signs) for e in more):
             left[left.index(one)] = replace(one, slacks=ours)
             left.remove(other)
     return left

@@ -132,3 +132,27 @@ def test_the_range_of_an_angle_gives_signs(problem: Read) -> None:
     assert rest is not None
     [[condition]] = rest.cases
     assert not condition.left.has(sp.Abs)
+
+
+DRAWN = """title: A rod drawn along a floor by a string
+parameters: {W: positive, l: positive, beta: acute, mu: positive}
+unknowns: [T]
+coordinates: {x: right, y: up, theta: {range: [0, 90 deg]}}
+bodies: {rod: {position: x*i + y*j, angle: theta}}
+constraints: {floor: {equation: y >= l*sin(theta), reaction: N}}
+forces:
+  weight: {on: rod, vector: -W*j}
+  string: {on: rod, vector: T*cos(beta)*i + T*sin(beta)*j, at: r_rod + l*e1_rod}
+  rub: {friction: mu, static: mu, constraint: floor, on: rod, at: r_rod - l*e1_rod}
+find: equilibrium
+answers: {rest: ["mu*(tan(beta) - 2*tan(theta)) >= 1"]}
+"""
+
+
+def test_an_unknown_force_of_a_string_pulls(problem: Read) -> None:
+    """T = W cos θ/(2 sin(β − θ)) ≥ 0: then N = W − T sin β and F = T cos β give one condition, which contains β > θ."""
+    solution = solve(problem(DRAWN))
+    [answer] = compared_answers(solution)
+    assert answer.verdict.value == "equivalent"
+    assert solution.own.at_rest is not None
+    assert [len(case) for case in solution.own.at_rest.cases] == [1]
