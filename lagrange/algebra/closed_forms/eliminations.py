@@ -4,6 +4,7 @@ linear      x from a(y) x + b(y) = 0; where a vanishes, that is a state of its o
 turned      θ from θ = ψ + α
 parallel    β = α and β = α + π from sin(α − β) = 0
 on_circle   θ from a cos θ = p(ψ), a sin θ = q(ψ): p² + q² = a²
+wave        sin θ from a₁(y) sin θ + b₁(y) = 0 and a₂(y) sin θ + b₂(y) = 0: a₁ b₂ = a₂ b₁
 """
 
 from __future__ import annotations
@@ -131,6 +132,26 @@ def _as_linear(e: sp.Expr, u: sp.Symbol, letters: TrigLetters) -> tuple[sp.Expr,
     except sp.PolynomialError:
         return None
     return (poly.coeff_monomial(u), poly.coeff_monomial(1)) if poly.degree() == 1 else None
+
+
+def wave(state: State, letters: TrigLetters) -> list[State]:
+    """The state with an equation in one unknown beside two equations that are linear in one wave of an angle.
+
+    A rod with both ends on a circle: y² − 2a y sin θ + a² = R² and y² + 2b y sin θ + b² = R² give y.
+    """
+    circular = [(u, f) for u, a in letters.angles.items() if u not in state.solved for f in a.letters]
+    for first, second in combinations(state.equations, 2):
+        for u, f in circular:
+            parts = [_as_linear(e, f, letters) for e in (first, second)]
+            if parts[0] is None or parts[1] is None:
+                continue
+            (a, b), (c, d) = parts
+            crossed = sp.expand(a * d - b * c)
+            others = letters.unknowns_in(crossed)
+            if crossed == 0 or len(others) != 1 or u in others or any(crossed == e for e in state.equations):
+                continue
+            return [replace(state, equations=(crossed, *state.equations))]
+    return []
 
 
 def on_circle(state: State, letters: TrigLetters) -> list[State]:

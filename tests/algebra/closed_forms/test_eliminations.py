@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned
+from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned, wave
 from lagrange.algebra.closed_forms.unit_circle import TrigLetters
 
 a, b = sp.symbols("a b", positive=True)
@@ -36,6 +36,15 @@ def test_an_angle_that_another_one_gives() -> None:
 def test_parallel_rods() -> None:
     states = parallel(*lettered(sp.sin(alpha) * sp.cos(beta) - sp.cos(alpha) * sp.sin(beta)))
     assert [s.values[alpha] for s in states] == [beta, beta + sp.pi]
+
+
+def test_two_equations_linear_in_one_sine_leave_one_without_it() -> None:
+    """The ends of a rod on a circle of radius 1, its mass centre under or over the centre: y² = 1 − a b."""
+    state, letters = lettered(y**2 - 2 * a * y * sp.sin(alpha) + a**2 - 1, y**2 + 2 * b * y * sp.sin(alpha) + b**2 - 1)
+    [fewer] = wave(state, letters)
+    assert sp.factor(fewer.equations[0]) in (k * 2 * y * (a + b) * (y**2 + a * b - 1) for k in (1, -1))
+    assert fewer.equations[1:] == state.equations
+    assert not wave(*lettered(x * sp.sin(alpha) - y, y * sp.sin(alpha) - x))  # two unknowns would be left
 
 
 def test_two_rods_with_letters_stay_a_triangle() -> None:
