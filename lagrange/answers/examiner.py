@@ -273,7 +273,13 @@ class Examiner:
 
         newton = solution.law.newton if solution.law else None
         named = {s for r in (newton.reactions if newton else ()) for s in (r.given, r.multiplier, r.symbol) if s}
-        working = without_forces(inequalities, equations, self._statics_reference, {s.name: s for s in named})
+        reference = self._statics_reference
+        named |= {
+            *reference.unknowns,
+            *(s for s in reference.scope.scalars.values() if s.is_Symbol and s.name[:2] == "F_"),
+        }
+        named -= {*reference.parameters.values(), *reference.scope.slots.coordinates}
+        working = without_forces(inequalities, equations, reference, {s.name: s for s in named})
         notes: tuple[Diagnostic, ...] = ()
         if working is not None:
             inequalities, equations, notes = working.conditions, working.equations, working.notes

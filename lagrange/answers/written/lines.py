@@ -25,6 +25,7 @@ from lagrange.answers.written.numbering import without_numbers
 from lagrange.answers.written.values import (
     CONDITIONAL,
     STABILITY,
+    WHEN,
     exact_results,
     with_claim_last,
     with_equality,
@@ -57,7 +58,7 @@ _REACHED = (
 )
 """Words between a value and its time: `x = 2 m g/k reached at t = ...`."""
 _SEPARATOR = re.compile(
-    rf";|{_LIMIT}|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:at|for|bei|für|pour)\s+(?=(?:cos|sin|tan)[^=]{{1,20}}=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
+    rf";|{_LIMIT}|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when|at)\s(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:at|for|bei|für|pour)\s+(?=(?:cos|sin|tan)[^=]{{1,20}}=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
     rf"|{_BETWEEN}|{_REACHED}|{_SENTENCE}|\\n|[,\s(]i\.\s?e\.,?(?=\s[^=]*=)|(?<=[\w)\]²³'])\s*(?:\.\.\.|…)(?=[^=]*=)"
     r"|(?<=[\w)\]²³'])\.\s+(?=[(\[][^=]*=)"
 )
@@ -99,10 +100,10 @@ _I_GOT = re.compile(
     r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?|used?|took|take|set|wrote|write|started with|assumed?)\b"
     r"(?!\s*[=*/^+])"
 )
-_WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s|(?<=n)['’]t)?[.,:]?(?=\s|$|[,:])")
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
-_NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s|(?<=n)['’]t)?[.,:]?(?=\s|$|[,:])")
 _TAIL = re.compile(
     r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|after|opposite|leads?|gives?|giving|yields?|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
     r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+(?:etc|usw)\b\.?|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
@@ -560,7 +561,7 @@ _CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 _WORDS_IN_BRACKETS = re.compile(r"(?<![^\W\d_])\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 _BETWEEN_CONDITIONS = re.compile(
-    r"(?<!\\)[,;]|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"
+    rf"(?<!\\)[,;](?!\s*{WHEN}\s)|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"
     r"|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
 )
 

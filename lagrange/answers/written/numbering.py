@@ -15,7 +15,9 @@ from collections.abc import Iterator
 from lagrange.answers.limits import LONGEST_NUMBERING
 from lagrange.core.diagnostics import Diagnostic, Severity, Source, Span
 
-_WIDE = r"(?:\s{2,}|\t|(?:~\s*){2,}|\\q?quad\s*|\\(?:hfill|dotfill)\s*|\\hspace\*?\{[^{}]{0,20}\}\s*|[.…]{3,}\s*|[&|]{1,3}\s*)"
+_WIDE = (
+    r"(?:\s{2,}|\t|(?:~\s*){2,}|\\q?quad\s*|\\(?:h|dot)fill\s*|\\hspace\*?\{[^{}]{0,20}\}\s*|(?:[.…]{3,}|[&|]{1,3})\s*)"
+)
 _LEADERS = r"(?:\\(?:[lc]?dots|dotfill)(?![A-Za-z])\s*|[.…·]{3,}\s*|-{2,}\s*|[—–]+\s*)"
 _SPACE = rf"(?:{_WIDE}|(?:\s|~|\\[,;:! ])+|{_LEADERS}+|(?<=[=\s]0)|(?<=[=\s]0\.)|(?<=\$)|(?<=\\tag)|(?<=[.…]))"
 _BEFORE = r"(?:eq(?:uation|n)?s?\.?\s*|gl(?:eichung)?\.?\s*|no\.?\s*|#\s*)?"
