@@ -20,7 +20,7 @@ WATCH_SECONDS = 0.25
 # -- bounds of a command -----------------------------------------------------------------------------------------------
 
 SHARE_FOR_EXPLAINING = 0.25
-"""Of --timeout, added for explaining and printing what is known when it is over."""
+"""The share of --timeout that is added for explaining and printing what is known when it is over."""
 
 LARGEST_CALL = 4
 """Stack of a call by way of C, in those of `min` with a key, 200 bytes: taken before --memory, as deep as calls go."""
@@ -40,7 +40,7 @@ MOST_PROBLEMS = 16
 """In one assignment: each is solved in every process, and kept there."""
 
 MOST_ROSTER_ROWS = 20_000
-"""Of a table of students; a large university has as many in a year."""
+"""Rows of a table of students: a large university has as many in a year."""
 
 FEWEST_NAMED = 2
 """Who must have made a mistake for it to be on the page about the class: of one person it would tell who."""
@@ -68,10 +68,10 @@ AHEAD = 4
 """Submissions handed over for each process, so that none waits for the next; a thousand are not held in memory."""
 
 TRIES = 2
-"""Of a submission whose process is lost: once may have another cause (the system was short of memory)."""
+"""Tries of a submission whose process is lost: once may have another cause (the system was short of memory)."""
 
 STARTS = 3
-"""Of a process that is lost before it is ready, after which the batch gives up."""
+"""Starts of a process that is lost before it is ready, after which the batch gives up."""
 
 MOST_KEPT_OUTCOMES = 5_000
 """Outcomes that are kept for equal submissions, some 2 kB each: a course has fewer different ones."""

@@ -8,6 +8,6 @@ LONGEST_PROGRAM = 400_000
 """Characters of JavaScript, so that a page stays below a megabyte. The pages of all shipped problems have less than
 300,000 characters, the derivation included."""
 MOST_ROWS = 600
-"""Of a computed motion on a page, which interpolates between them."""
+"""Rows of a computed motion on a page, which interpolates between them."""
 GROUND_REACH = 3.5
 """Half the length of a piece of ground, in centimetres: what moves on it stays in the figure."""

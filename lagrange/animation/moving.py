@@ -366,7 +366,7 @@ class _Maker:
         return [self.put(e) for e in (*(e for _, e in slips), *rates, *(m.mass for m in varying))]
 
     def _static(self, parameters: Sequence[sp.Symbol], number: Callable[[sp.Symbol], float]) -> list[tuple[int, float]]:
-        """Of each coefficient of friction that is a parameter: its place, and the number of the static coefficient."""
+        """The place of each coefficient of friction that is a parameter, and the number of the static coefficient."""
         out = []
         for kinetic, static in coefficients_at_rest(self.solution.problem).items():
             if kinetic in parameters:

@@ -10,7 +10,7 @@ MOST_IN_A_LINE = 4_000
 """Characters of a sentence: twice the longest equation of an answer, which a message may repeat."""
 
 HIGHEST_POWER_OF_UNIT = 20
-"""Of a unit: no quantity has a higher one, and 1e9^9999 takes memory."""
+"""The highest power of a unit: no quantity has a higher one, and 1e9^9999 takes memory."""
 
 STEPS_PER_UNIT = 10
 """Looks at the parts of a node for a unit of work: a walk takes half a microsecond for each."""
@@ -22,7 +22,7 @@ STEPS_AT_ONCE = 2_500
 """Steps that are counted before they are taken from the allowance: a hundred units."""
 
 UNITS_BETWEEN_LOOKS = 2_000
-"""Of work, after which the memory in use is looked at: that takes 40 µs."""
+"""Units of work after which the memory in use is looked at, which takes 40 µs."""
 
 MOST_BLOCKS = 4_000_000
 """Blocks of memory, about 80 bytes each."""
@@ -34,4 +34,4 @@ STEPS_OF_A_QUESTION = 8
 """Steps for each assumption that is tried: is it real, is it positive?"""
 
 BITS_PER_STEP = 256
-"""Of long numbers: four words are multiplied in the time of a look."""
+"""Bits of a long number that count as one step: four words are multiplied in the time of a look."""

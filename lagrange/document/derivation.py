@@ -108,11 +108,53 @@ class Prose:
     purpose: Purpose | None = field(default=None, compare=False)
 
 
+class EquationKind(StrEnum):
+    """What a displayed equation is; beside each an example. A page finds equations by these, never by their labels."""
+
+    POSITION = "position"  # r_P = x i + y j
+    FORCE = "force"  # F_P = m g j, or λ = m x''
+    MOMENT = "moment"  # M_disc = τ k, applied
+    SPIN = "spin"  # ω_disc = φ' k
+    MOMENTUM = "momentum"  # H_disc = J φ' k, or p = m x'
+    HIDDEN = "hidden"  # x - R φ = const, which several constraints imply together
+    ONLY = "only"  # y = 0, which a constraint leaves
+    VIRTUAL = "virtual"  # x δx + y δy = 0
+    POSSIBLE = "possible"  # dx = δx + u dt
+    DELTA = "delta"  # δr_P = l δθ e
+    ROTATION = "rotation"  # δπ_disc = δφ k
+    NEWTON = "newton"  # m x'' = N
+    TURNING = "turning"  # J φ'' = R F
+    REACTION = "reaction"  # R_P = N n
+    COUPLE = "couple"  # Γ_disc = R F k
+    SHARE = "share"  # N n·δr_P, the work of a reaction at one of its particles
+    POSSIBLE_WORK = "possible-work"  # λ u dt
+    SUM_ALONG_AXES = "sum-along-axes"  # R_P = m g cos θ e_r + ..., along unit vectors that turn
+    ACCELERATION = "acceleration"  # r_P'' = x'' i + y'' j
+    MOMENTUM_RATE = "momentum-rate"  # H_disc' = J φ'' k
+    REDUCED = "reduced"  # the principle without dependent displacements
+    MOTION = "motion"  # l θ'' + g sin θ = 0
+    COMPLETING = "completing"  # x² + y² = l², beside equations of motion that need it
+    CHOICE = "choice"  # x = l sin θ
+    REMAINING_RATE = "remaining-rate"  # x' - R φ' = 0, in coordinates that are chosen
+    SPEED = "speed"  # u = x' cos θ + y' sin θ
+    KINEMATIC = "kinematic"  # x' = u cos θ
+    QUASI_VARIATION = "quasi-variation"  # δπ_u = δx cos θ + δy sin θ
+    MOTION_IN_SPEEDS = "motion-in-speeds"  # u' = a ω²
+    CONSERVED = "conserved"  # m x' = const
+    ENERGY_RATE = "energy-rate"  # d(T + V)/dt = -k x'²
+    LINEAR = "linear"  # l ξ'' + g ξ = 0
+    FORCED = "forced"  # m ξ'' + c ξ = F cos ωt
+    RESONANCE = "resonance"  # ω² = c/m
+    BEFORE = "before"  # x' = v before an impact
+
+
 @record
 class Equation:
     """A displayed equation a = b = c, followed by its `condition` ("where y ≠ 0").
 
+    label   an id, for references only
     second  the label of an equation that follows in the same line, under the same number
+    about   the name of the constraint or body that its kind is about, where a page needs it
     """
 
     sides: tuple[Mathematics, ...]
@@ -120,6 +162,8 @@ class Equation:
     relation: str = "="
     condition: tuple[Part, ...] = ()
     second: str | None = None
+    kind: EquationKind | None = field(default=None, compare=False)
+    about: str = field(default="", compare=False)
 
     @property
     def operations(self) -> int:
@@ -139,6 +183,10 @@ class Display:
     def operations(self) -> int:
         """Those of all equations."""
         return sum(e.operations for e in self.equations)
+
+    def is_of(self, *kinds: EquationKind) -> bool:
+        """Whether all equations are of these kinds."""
+        return all(e.kind in kinds for e in self.equations)
 
     def map(self, change: Callable[[Equation], Equation]) -> Display:
         """The display with `change` applied to each of its equations."""
@@ -342,6 +390,7 @@ class Purpose(Enum):
     MOMENTUM = auto()  # conserved, linear or angular
     AT_REST = auto()
     SMALL_MOTION = auto()
+    EXISTENCE_OPEN = auto()  # Any real solution of (2) is an equilibrium; whether there is one is left open.
     EXISTS = auto()  # By (24), such a position exists if
     LIMIT = auto()
     UNITS = auto()

@@ -12,6 +12,7 @@ from lagrange.core.vectors import FIXED, UNITS, Triad, Vector, names_before_last
 from lagrange.document.derivation import (
     Block,
     Equation,
+    EquationKind,
     Matrices,
     Part,
     Phrase,
@@ -87,9 +88,20 @@ def turns_about_axis(bodies: Mapping[str, Body], configuration: Configuration, n
 def explain_rotation(body: Body, rotation: Rotation, *, hinged: bool = False) -> list[Block]:
     """Moments of inertia, angular velocity, angular momentum of a body; `hinged`: about a fixed axis."""
     name = body.name
-    lines = [Equation((VectorSymbol(f"omega_{name}"), rotation.angular_velocity), label=f"spin-{name}")]
+    lines = [
+        Equation(
+            (VectorSymbol(f"omega_{name}"), rotation.angular_velocity), label=f"spin-{name}", kind=EquationKind.SPIN
+        )
+    ]
     if rotation.has_inertia:
-        lines.append(Equation((VectorSymbol(f"H_{name}"), rotation.momentum), label=f"momentum-{name}"))
+        lines.append(
+            Equation(
+                (VectorSymbol(f"H_{name}"), rotation.momentum),
+                label=f"momentum-{name}",
+                kind=EquationKind.MOMENTUM,
+                about=name,
+            )
+        )
     about = "about it" if hinged else "about the mass centre"
     both = Phrase(plural(len(lines), " is", f" and its angular momentum {about} are"), Purpose.MOMENTA, " is")
     if rotation.inertia.is_principal:
@@ -172,7 +184,11 @@ def moments_on(configuration: Configuration, rough: Collection[str] = ()) -> lis
             blocks += [prose(*(("It",) if one else ("Of these, ", *listed(names))), verb), display(*lines)]
         words = "The moment of the applied forces" if beside else "The applied moment"
         also = ", applied moments included," if beside and own else ""
-        moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")
+        moment = Equation(
+            (VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)),
+            label=f"moment-{r.name}",
+            kind=EquationKind.MOMENT,
+        )
         pinned = any(p.name == r.name and p.mass == 0 and configuration.is_pinned(p) for p in configuration.points)
         about = "" if pinned and not beside else " about its mass centre"
         blocks += [prose(f"{words} on {the(r.name)}{about}{also} is"), display(moment)]
@@ -287,7 +303,11 @@ def virtual_rotations(configuration: Configuration, zero: dict[sp.Basic, sp.Basi
     suffix = suffix_of(configuration.name)
     steps = [variation(q).xreplace(zero) for q in configuration.slots.coordinates]
     lines = [
-        Equation((VectorSymbol(f"delta(pi_{r.name})"), r.virtual(steps)), label=f"rotation{label}{suffix}-{r.name}")
+        Equation(
+            (VectorSymbol(f"delta(pi_{r.name})"), r.virtual(steps)),
+            label=f"rotation{label}{suffix}-{r.name}",
+            kind=EquationKind.ROTATION,
+        )
         for r in configuration.rotations
         if configuration.rows or not r.angular_velocity.is_zero
     ]

@@ -16,6 +16,7 @@ from lagrange.document.derivation import (
     Block,
     Emphasis,
     Equation,
+    EquationKind,
     Part,
     Prose,
     Purpose,
@@ -100,7 +101,10 @@ def explain_hidden(classification: Classification, slots: Slots, letter: str) ->
     if hidden:
         many = in_words(len(hidden), "relation").capitalize()
         what = f"{many} {plural(len(hidden), 'follows', 'follow')} that no single constraint shows:"
-        lines = (Equation((r.function, CONSTANT), label=f"hidden-{n}") for n, r in enumerate(hidden, start=1))
+        lines = (
+            Equation((r.function, CONSTANT), label=f"hidden-{n}", kind=EquationKind.HIDDEN)
+            for n, r in enumerate(hidden, start=1)
+        )
         body += [prose(what), display(*lines), *_explain_combinations(classification, slots, letter)]
     body += _explain_together(classification)
     if missing and len(classification.constraints) > 1:
@@ -336,7 +340,15 @@ def by_chetaev(configuration: Configuration) -> list[Block]:
     of = f"rate-{configuration.name}-" if configuration.name else "constraint-"
     refs = listed(Ref(f"{of}{r.name}") for r in rows)
     slots = configuration.slots
-    lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
+    lines = (
+        Equation(
+            (virtual_displacement(r, slots), sp.S.Zero),
+            label=f"virtual-{r.name}",
+            kind=EquationKind.VIRTUAL,
+            about=r.name,
+        )
+        for r in rows
+    )
     return [
         prose(
             "The condition that ", *refs, plural(len(rows), " imposes", " impose"), " on possible displacements is not "

@@ -13,6 +13,7 @@ from lagrange.document.derivation import (
     Detail,
     Display,
     Equation,
+    EquationKind,
     Part,
     Phrase,
     Purpose,
@@ -109,7 +110,15 @@ def _subtracted(configuration: Configuration) -> list[Block]:
         "same time ", dt, ", from the same position: ", "the terms in " if moving else "", *((dt,) if moving else ()),
         " drop out, and it satisfies" if moving else "it satisfies",
     )  # fmt: skip
-    lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
+    lines = (
+        Equation(
+            (virtual_displacement(r, slots), sp.S.Zero),
+            label=f"virtual-{r.name}",
+            kind=EquationKind.VIRTUAL,
+            about=r.name,
+        )
+        for r in rows
+    )
     return [prose(*words), display(*lines)]
 
 
@@ -136,7 +145,11 @@ def _drift(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Block
     if configuration.points:
         return [*blocks, _of_moved_points(configuration, rates), *_relative(configuration, rates)]
     lines = (
-        Equation((differential(q), variation(q) + steps.get(q, sp.S.Zero)), label=f"possible-{q.name}")
+        Equation(
+            (differential(q), variation(q) + steps.get(q, sp.S.Zero)),
+            label=f"possible-{q.name}",
+            kind=EquationKind.POSSIBLE,
+        )
         for q in slots.coordinates
     )
     return [*blocks, display(*lines)]
@@ -182,7 +195,9 @@ def _of_moved_points(configuration: Configuration, rates: Sequence[sp.Expr]) -> 
         extra = transport_velocity(p, configuration.slots, rates) * differential(t)
         virtual = VectorSymbol(f"delta(r_{p.name})")
         total = virtual if extra.is_zero else virtual + extra.as_sum()
-        lines.append(Equation((VectorSymbol(f"d(r_{p.name})"), total), label=f"possible-{p.name}"))
+        lines.append(
+            Equation((VectorSymbol(f"d(r_{p.name})"), total), label=f"possible-{p.name}", kind=EquationKind.POSSIBLE)
+        )
     return display(*lines)
 
 
@@ -253,7 +268,7 @@ def of_points(
     suffix = suffix_of(configuration.name)
     lines = [
         Equation((VectorSymbol(f"delta(r_{p.name})"), displaced(p, slots).xreplace(zero)),
-                 label=f"delta{label}{suffix}-{p.name}")
+                 label=f"delta{label}{suffix}-{p.name}", kind=EquationKind.DELTA)
         for p in configuration.points if not configuration.is_pinned(p)
     ]  # fmt: skip
     turned = virtual_rotations(configuration, dict(zero), label)

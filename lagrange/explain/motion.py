@@ -12,6 +12,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Matrices,
     Part,
     Phrase,
@@ -136,11 +137,16 @@ def accelerations_of(motion: DalembertMotion) -> list[Block]:
     accelerations = motion.principle.accelerations
     suffix = suffix_of(motion.configuration.name)
     lines = [
-        Equation((VectorSymbol(f"r_{name}''"), a), label=f"acceleration{suffix}-{name}")
+        Equation((VectorSymbol(f"r_{name}''"), a), label=f"acceleration{suffix}-{name}", kind=EquationKind.ACCELERATION)
         for name, a in accelerations.items()
     ]
     rates = [
-        Equation((VectorSymbol(f"H_{name}'"), rate), label=f"momentum-rate{suffix}-{name}")
+        Equation(
+            (VectorSymbol(f"H_{name}'"), rate),
+            label=f"momentum-rate{suffix}-{name}",
+            kind=EquationKind.MOMENTUM_RATE,
+            about=name,
+        )
         for name, rate in motion.principle.momentum_rates.items()
     ]
     whats = [plural(len(lines), "the acceleration", "the accelerations")] * bool(lines)
@@ -178,7 +184,7 @@ def _derived(motion: DalembertMotion, problem: Problem) -> list[Block]:
             body.append(_at_once(motion, motion.closed, solved))
         else:
             body.append(substituting(solved, Ref(f"written-out{suffix}")))
-            body.append(display(Equation((motion.reduced, ZERO), label=f"reduced{suffix}")))
+            body.append(display(Equation((motion.reduced, ZERO), label=f"reduced{suffix}", kind=EquationKind.REDUCED)))
     free = [math(variation(coordinates[k])) for k in motion.elimination.independent]
     if free:
         at_once = motion.closed is not None and motion.closed.at_once
@@ -225,7 +231,9 @@ def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     """The boxed equations, with the constraints that complete them."""
     configuration = motion.configuration
     suffix = suffix_of(configuration.name)
-    lines = [Equation(e.sides, label=f"motion{suffix}-{e.coordinate.name}") for e in motion.final]
+    lines = [
+        Equation(e.sides, label=f"motion{suffix}-{e.coordinate.name}", kind=EquationKind.MOTION) for e in motion.final
+    ]
     lines += [_constraint(configuration, r.name, problem) for r in motion.completing]
     return [*_substituted_rates(motion), display(*lines, boxed=True, detail=Detail.BRIEF)]
 
@@ -281,9 +289,13 @@ def _constraint(configuration: Configuration, name: str, problem: Problem) -> Eq
     row = next(r for r in configuration.rows if r.name == name)
     if not configuration.expressed:
         constraint = next(c for c in problem.constraints if c.name == name)
-        return Equation((constraint.lhs, constraint.rhs), label=f"with{suffix_of(configuration.name)}-{name}")
+        return Equation(
+            (constraint.lhs, constraint.rhs),
+            label=f"with{suffix_of(configuration.name)}-{name}",
+            kind=EquationKind.COMPLETING,
+        )
     shown = row.velocity_form(configuration.slots) if row.finite is None else row.finite
-    return Equation((shown, ZERO), label=f"with{suffix_of(configuration.name)}-{name}")
+    return Equation((shown, ZERO), label=f"with{suffix_of(configuration.name)}-{name}", kind=EquationKind.COMPLETING)
 
 
 def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
@@ -304,7 +316,10 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
     if configuration.expressed:
         body.append(
             display(
-                *(Equation((q, e), label=f"choice-{choice.name}-{q.name}") for q, e in configuration.expressed.items())
+                *(
+                    Equation((q, e), label=f"choice-{choice.name}-{q.name}", kind=EquationKind.CHOICE)
+                    for q, e in configuration.expressed.items()
+                )
             )
         )
     sentences = []
@@ -332,7 +347,11 @@ def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
         called = capital(constraints_called(r.name for r in configuration.rows))
         verb = plural(len(configuration.rows), "remains and reads", "remain and read")
         lines = (
-            Equation((r.velocity_form(configuration.slots), ZERO), label=f"rate-{name}-{r.name}")
+            Equation(
+                (r.velocity_form(configuration.slots), ZERO),
+                label=f"rate-{name}-{r.name}",
+                kind=EquationKind.REMAINING_RATE,
+            )
             for r in configuration.rows
         )
         blocks += [prose(f"{called} {verb}"), display(*lines)]

@@ -12,6 +12,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.derivation import (
     Block,
     Equation,
+    EquationKind,
     Part,
     Phrase,
     Prose,
@@ -356,10 +357,13 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str], turning: C
     if not body.bound:
         return [prose(sentence, purpose=Purpose.ACTING)]
     lines = []
-    for kind, label, terms in (("R", "reaction", body.reactions), ("Gamma", "couple", body.moments)):
+    for letter, kind, terms in (
+        ("R", EquationKind.REACTION, body.reactions),
+        ("Gamma", EquationKind.COUPLE, body.moments),
+    ):
         if terms:
             total = Vector.total((g * r.force for r, g in terms), terms[0][1].triad)
-            lines.append(Equation((VectorSymbol(f"{kind}_{name}"), total), label=f"{label}-{name}"))
+            lines.append(Equation((VectorSymbol(f"{letter}_{name}"), total), label=f"{kind}-{name}", kind=kind))
     its, force = plural(len(body.bound), "its", "their"), plural(len(body.bound), "the reaction", "their sum")
     moment = f"{its} moment about the mass centre"
     what = f"{force} and {moment} are" if body.reactions and body.moments else f"{moment if body.moments else force} is"
@@ -419,9 +423,9 @@ def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool, of_field: st
     lines = []
     turned = False
     for b in bodies:
-        for kind, components in (("newton", b.components), ("turning", b.turning)):
+        for kind, components in ((EquationKind.NEWTON, b.components), (EquationKind.TURNING, b.turning)):
             for n, c in enumerate(components, start=1):
-                lines.append(Equation((c.inertia, c.right), label=f"{kind}-{b.name}-{n}"))
+                lines.append(Equation((c.inertia, c.right), label=f"{kind}-{b.name}-{n}", kind=kind, about=b.name))
         turned = turned or bool(b.turning)
     if at_rest:
         also = ", and so do their moments" if turned else ""
@@ -525,7 +529,12 @@ def _shares(work: WorkOfReaction) -> list[Block]:
         return []
     reaction = work.reaction
     lines = [
-        Equation((reaction.force * share,), label=f"share-{reaction.name}-{particle}")
+        Equation(
+            (reaction.force * share,),
+            label=f"share-{reaction.name}-{particle}",
+            kind=EquationKind.SHARE,
+            about=reaction.name,
+        )
         for particle, share in work.shares.items()
         if particle in work.working
     ]
@@ -564,7 +573,10 @@ def works_when_moving(works: Sequence[WorkOfReaction]) -> list[Block]:
     moving = [w for w in works if w.possible != 0]
     if not moving:
         return []
-    lines = [Equation((in_factors(w.possible),), label=f"possible-work-{w.reaction.name}") for w in moving]
+    lines = [
+        Equation((in_factors(w.possible),), label=f"possible-work-{w.reaction.name}", kind=EquationKind.POSSIBLE_WORK)
+        for w in moving
+    ]
     reactions = plural(len(moving), "the reaction of ", "the reactions of ")
     does = plural(len(moving), " does the work", " do the work")
     return [

@@ -22,6 +22,7 @@ from lagrange.document.derivation import (
     Step,
     Table,
     display,
+    has_purpose,
     index_of,
     listed,
     math,
@@ -88,7 +89,9 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
             yield step
         elif view is not None and view.in_numbers is not None:
             table = _equilibria(view, view.in_numbers, digits, _start(values))
-            yield replace(step, body=(*step.body, *table, *_forces_at_roots(view, digits)))
+            exists = any(p.branch is None for p in view.in_numbers.positions)
+            body = (b for b in step.body if not (exists and has_purpose(b, Purpose.EXISTENCE_OPEN)))
+            yield replace(step, body=(*body, *table, *_forces_at_roots(view, digits)))
         elif view is not None and not _determines_forces(view):
             yield step
         else:

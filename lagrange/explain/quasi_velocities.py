@@ -9,6 +9,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Part,
     Phrase,
     Purpose,
@@ -52,7 +53,9 @@ def explain_speeds(form: QuasiVelocityForm, problem: Problem, first: bool, state
 def _definitions(quasi: QuasiVelocities) -> list[Block]:
     """u = ..."""
     suffix = suffix_of(quasi.configuration.name)
-    lines = (Equation((u, e), label=f"speed{suffix}-{u.name}") for u, e in quasi.definitions.items())
+    lines = (
+        Equation((u, e), label=f"speed{suffix}-{u.name}", kind=EquationKind.SPEED) for u, e in quasi.definitions.items()
+    )
     words = plural(len(quasi.definitions), "the quasi-velocity is", "the quasi-velocities are")
     in_these = "in these coordinates " if quasi.configuration.name else ""
     return [prose(capital(in_these + words)), display(*lines)]
@@ -72,7 +75,10 @@ def _determined(quasi: QuasiVelocities) -> list[Block]:
     where: tuple[Part, ...] = ()
     if quasi.pivots:
         where = (", where ", *listed(math(p, ZERO, relation="≠") for p in quasi.pivots), ",")
-    lines = [Equation((v, e), label=f"kinematic{suffix}-{v.name}") for v, e in quasi.kinematic.items()]
+    lines = [
+        Equation((v, e), label=f"kinematic{suffix}-{v.name}", kind=EquationKind.KINEMATIC)
+        for v, e in quasi.kinematic.items()
+    ]
     which = "the other " if quasi.completing else "all " if len(lines) > 1 else "the "
     words = f"{with_rows}{determine} {which}{plural(len(lines), 'velocity', 'velocities')}"
     return [*blocks, prose(capital(words), *where, " by"), display(*lines)]
@@ -119,7 +125,7 @@ def _principle(equations: QuasiEquations, stated: bool) -> list[Block]:
     """δπ_u, and the principle with them."""
     quasi, suffix = equations.quasi, suffix_of(equations.quasi.configuration.name)
     lines = [
-        Equation(sides, label=f"quasi-variation{suffix}-{u.name}")
+        Equation(sides, label=f"quasi-variation{suffix}-{u.name}", kind=EquationKind.QUASI_VARIATION)
         for u, sides in zip(quasi.definitions, quasi.virtual.items(), strict=True)
     ]
     free = [math(quasi_variation(u)) for u in quasi.definitions]
@@ -142,7 +148,11 @@ def _final(equations: QuasiEquations, configuration: Configuration) -> list[Bloc
     """The boxed equations, the kinematic ones and the finite constraints after them."""
     quasi, suffix = equations.quasi, suffix_of(equations.quasi.configuration.name)
     lines = [
-        Equation((e.expression, ZERO), label=f"motion-in-speeds{suffix}-{e.coordinate.name}")
+        Equation(
+            (e.expression, ZERO),
+            label=f"motion-in-speeds{suffix}-{e.coordinate.name}",
+            kind=EquationKind.MOTION_IN_SPEEDS,
+        )
         for e in equations.equations
     ]
     lines += [Equation((v, e)) for v, e in quasi.kinematic.items()]

@@ -324,6 +324,7 @@ def _statics(make: Attempts, solution: Solution) -> Iterator[Step | None]:
 
     yield make(explain_virtual_work, solution.own.equilibrium, stability, workless)
     yield make(_reactions_at_rest, solution, solution.own.reactions_at_rest)
+    yield make(_rolling, solution.own) if shown else None
 
 
 def _rest(make: Attempts, solution: Solution, view: InCoordinates) -> Iterator[Step | None]:

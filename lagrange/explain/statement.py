@@ -16,6 +16,7 @@ from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.derivation import (
     Block,
     Equation,
+    EquationKind,
     Part,
     Prose,
     Purpose,
@@ -247,7 +248,9 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     turning = {r.name: r for r in configuration.rotations}
     for p in configuration.points:
         what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (massless,)
-        position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
+        position = Equation(
+            (VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}", kind=EquationKind.POSITION
+        )
         if p.name in bodies:
             blocks.append(_body(configuration, p, bodies))
             hinged = turns_about_axis(bodies, configuration, p.name)
@@ -281,7 +284,7 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
         applied = plural(len(loads), "The force applied to", "The forces applied to")
         blocks += [
             prose(f"{applied} {the(p.name)}{are(loads)}", *listed(names), ":"),
-            display(Equation(sides, label=f"force-{p.name}")),
+            display(Equation(sides, label=f"force-{p.name}", kind=EquationKind.FORCE)),
         ]
         unknown = dict.fromkeys(c for f in loads for c in rough.get(f.name, ()))
         if unknown and not unknown.keys() <= said:

@@ -190,7 +190,8 @@ def existence_left_open(places: Iterable[tuple[Part, Branch]]) -> Iterator[Prose
         return
     yield prose(
         "Any real solution of ", *listed((place for place, _ in unsolved), " or "),
-        " is an equilibrium; whether there is one is left open.", detail=Detail.BRIEF,
+        " is an equilibrium; whether there is one is left open.",
+        detail=Detail.BRIEF, purpose=Purpose.EXISTENCE_OPEN,
     )  # fmt: skip
 
 

@@ -59,7 +59,7 @@ MAX_TERMS = 20_000
 
 SMALL_POWER = 2
 MAX_TERMS_OF_PRODUCTS = 100_000_000
-"""The same with numeric powers, nested ones multiplied, up to this one: rotations one after the other, of which the
+"""Terms of products of numeric powers up to this one, nested ones multiplied: successive rotations, of which the
 front wheel of a bicycle has five, and which the derivation leaves as they are."""
 
 MAX_BITS = 4_400

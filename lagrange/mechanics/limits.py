@@ -24,7 +24,7 @@ LONGEST_INTEGRATED = 40
 """The most operations of what is integrated."""
 
 LONGEST_WITH_LIMITS = 60
-"""Of equations whose limits are sought."""
+"""The most operations of equations whose limits are sought; of longer ones no limit is short."""
 
 LONGEST_LIMIT = 18
 """The most operations of an equation in a limit that is worth showing."""

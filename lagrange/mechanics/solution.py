@@ -39,7 +39,7 @@ from lagrange.mechanics.dynamics.checks import (
 )
 from lagrange.mechanics.dynamics.conservation import check_conserved, conserved
 from lagrange.mechanics.dynamics.equations import check_inertia
-from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
+from lagrange.mechanics.dynamics.motion import Method, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import spot_of_motion
 from lagrange.mechanics.limits import UNITS_OF_SOLVING
@@ -48,6 +48,7 @@ from lagrange.problem.model import Belt, Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.reactions import Reactions
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
@@ -142,6 +143,7 @@ def _stages(
 ) -> Iterator[Callable[[Solution], Solution]]:
     """The stages after the constraints, as the file asks for them. blank: the solution before them."""
     rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
+    rough = rough and not _only_rolls(problem, blank)
     if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         from lagrange.mechanics.equilibrium.checks import require_statics
 
@@ -272,15 +274,25 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
         configuration=dynamics.shown,
         dynamics=dynamics,
         conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,
-        rolling=_rolling(law, dynamics, view) if law.rolling else None,
+        rolling=_rolling(law, dynamics.reactions, view) if law.rolling else None,
     )
 
 
-def _rolling(law: NewtonLaw, dynamics: Motion, view: InCoordinates) -> Rolling | None:
+def _rolling(law: NewtonLaw, reactions: Reactions | None, view: InCoordinates) -> Rolling | None:
     """The conditions under which what rolls does not slip."""
     from lagrange.mechanics.equilibrium.friction.rolling import rolling
 
-    return rolling(law.problem, law, dynamics, view.configuration)
+    return rolling(law.problem, law, reactions, view.configuration)
+
+
+def _only_rolls(problem: Problem, blank: Solution) -> bool:
+    """Whether friction acts only where constraints keep what touches from slipping: then it does no work."""
+    rubbing = [f for f in problem.forces if isinstance(f, Friction | Belt)]
+    if not all(isinstance(f, Friction) and f.at is not None for f in rubbing) or [*problem.find] != [Find.EQUILIBRIUM]:
+        return False
+    from lagrange.mechanics.equilibrium.friction.rolling import nothing_slips
+
+    return nothing_slips(_law(blank, at_rest=True))
 
 
 def _checks_of_motion(view: InCoordinates, own: InCoordinates, law: NewtonLaw) -> list[Check]:
@@ -445,6 +457,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the equilibria in every set of coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
+    from lagrange.mechanics.equilibrium.friction.rolling import rolling_at_rest
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.searched.places import with_search
     from lagrange.mechanics.equilibrium.searched.valleys_in_numbers import check_minima
@@ -472,7 +485,8 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         resting = in_contact(resting, reactions, law, known)
         stability = stability_at_rest(resting)
         checks += check_minima(resting, stability)
-        views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
+        slip = rolling_at_rest(law, reactions) if law and law.rolling and not solution.law else view.rolling
+        views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions, rolling=slip))
     problem = law.problem if law else problem
     return solution.with_views(views, problem=problem, law=law, works=tuple(works), checks=tuple(checks))
 

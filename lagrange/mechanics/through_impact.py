@@ -121,7 +121,7 @@ def problem_after(problem: Problem, motion: ImpulsiveMotion) -> Problem:
 
 
 def problem_begun(problem: Problem, found: ImpulsiveMotion) -> Problem:
-    """The same; coordinates that `before` leaves open are those of `initial`."""
+    """The problem after the impact; coordinates that `before` leaves open are those of `initial`."""
     after = problem_after(problem, found)
     known = {v.symbol for v in after.initial}
     places = (v for v in problem.initial if v.symbol in problem.slots.coordinates and v.symbol not in known)

@@ -15,10 +15,10 @@ LONGEST_SEED = 200
 # -- the text ----------------------------------------------------------------------------------------------------------
 
 MAX_BYTES = 1 << 20
-"""Of a file; 400 times the largest shipped one. More is not read at all."""
+"""Bytes of a file: 400 times the largest shipped one. More is not read at all."""
 
 READINGS = 3
-"""Of a file that is written to while it is read, before it is refused: half of an old text and half of a new one."""
+"""Readings of a file that is written to meanwhile, before it is refused: half an old text and half a new one."""
 
 MAX_DEPTH = 20
 """Levels of lists and mappings, the scalar inside counted too. The keys need 6."""
@@ -66,7 +66,7 @@ Two thousand times the largest shipped file: abbreviations of abbreviations grow
 """
 
 UNITS_OF_READING = 100_000
-"""Of work (`core.effort`) for all of a file."""
+"""Units of work (`core.effort`) for a whole file."""
 
 MOST_TESTED = 400
 """Parts of an expression that is tested for zero while reading; of all together, five times as many.

@@ -30,7 +30,7 @@ _MATH: dict[str, Any] = {**{n: getattr(math, n) for n in _NAMES}, "abs": abs, "s
 
 
 def _in_arrays() -> dict[str, Any]:
-    """The same functions of arrays. Raises ImportError without NumPy."""
+    """The functions for arrays. Raises ImportError without NumPy."""
     import numpy
 
     called = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"}

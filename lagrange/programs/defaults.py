@@ -40,10 +40,10 @@ GRAVITY = 9.81
 _BY_UNIT = {"m/s^2": GRAVITY, "N/m": 20.0, "N*s/m": 0.4, "1/s": 2.0, "rad/s": 2.0, "m/s": 1.0, "N": 5.0, "kg*m^2": 0.5}
 _BY_LETTER = {"g": GRAVITY, "k": 20.0, "c": 0.4, "mu": 0.3, "omega": 2.0, "Omega": 2.0, "w": 2.0, "F": 5.0}
 SPEED, SLOWER = 1.0, 0.2
-"""Of the first coordinate that the potential energy does not contain; each one after it is slower by so much, because
+"""The speed of the first coordinate that the potential energy does not contain, and how much slower each next one is:
 particles with the same velocity would not turn about each other."""
 SPIN, ROLLING_SPIN = 14.0, 5.0
-"""Of a body in space about its own axis under gravity, in radians per second: without constraints, and with them."""
+"""The spin of a body in space about its own axis under gravity, in rad/s: without constraints, and with them."""
 
 
 def angles_in(expressions: Iterable[sp.Expr]) -> frozenset[sp.Symbol]:
@@ -176,7 +176,7 @@ SampleFunctions = dict[str, sp.Expr]
 UNDECLARED_GRAVITY = sp.Symbol("g", positive=True)
 """In samples of a problem that has no `g` of its own."""
 AMPLITUDE, FREQUENCY = 0.3, 2.0
-"""Of a prescribed motion, in SI units."""
+"""Amplitude and angular frequency of a prescribed motion, in SI units."""
 
 
 def samples(solution: Solution) -> SampleFunctions:

@@ -104,7 +104,7 @@ def prepared_solution(
     *,
     complete: bool = False,
 ) -> Prepared:
-    """The same of a problem that has been solved already.
+    """A simulation of a problem that has been solved already.
 
     Raises ProblemError if it has no equations of motion, or the initial values contradict each other.
     """

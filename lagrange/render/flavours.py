@@ -19,7 +19,7 @@ from lagrange.core.records import record
 from lagrange.render.escape import slug
 
 DIV, FENCE = ":::", "```"
-"""Of Quarto and of MyST; longer ones may have shorter ones inside."""
+"""The fences of Quarto and of MyST; longer ones may have shorter ones inside."""
 
 
 class Flavour(StrEnum):

@@ -222,7 +222,7 @@ def _argument(e: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> None:
 
 
 UnitExponents = dict[Hashable, Fraction]
-"""Of units, by their names, and of unknown dimensions, by a symbol or the name of an undefined function."""
+"""Exponents of units, by name, and of unknown dimensions, by a symbol or the name of an undefined function."""
 
 _OF_A_NUMBER = (sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.sinh, sp.cosh, sp.tanh, sp.asin, sp.acos, sp.atan)
 

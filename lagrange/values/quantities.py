@@ -59,7 +59,7 @@ class Quantity:
         return rounded_in(self.formula, digits)
 
     def shown(self, digits: int = DIGITS) -> sp.Expr:
-        """The same, with the unit after a number other than 0. Raises NotRealError."""
+        """The quantity with its unit after a number other than 0. Raises NotRealError."""
         shown = self.formula_shown(digits)
         return with_unit(shown, self.unit) if self.is_number and self.unit and shown != 0 else shown
 

@@ -318,6 +318,49 @@ def test_the_search_for_diagnoses_finds_them() -> None:
     assert diagnoses_read(ast.parse('e.diagnosis.partition("; "); e.text.startswith("it is")')) == []
 
 
+READ_IN_PARTS = {"startswith", "endswith", "partition", "rpartition", "split", "rsplit", "removeprefix", "removesuffix",
+                 "find", "index", "replace", "match", "search", "fullmatch"}  # fmt: skip
+
+
+def looks_into_labels(tree: ast.AST) -> list[str]:
+    """Where a part of a label is read, or sought in one: `e.label.startswith("virtual-")`."""
+    found: list[ast.AST] = []
+    for node in ast.walk(tree):
+        match node:
+            case ast.Call(func=ast.Attribute(attr=name, value=text), args=arguments) if name in READ_IN_PARTS:
+                is_read = _is_label(text) or (ast.unparse(text) == "re" and any(map(_is_label, arguments)))
+                found += [node] * is_read
+            case ast.Subscript(value=text):
+                found += [node] * _is_label(text)
+            case ast.Compare(ops=[ast.In() | ast.NotIn()], comparators=[text]):
+                found += [node] * _is_label(text)
+    return [ast.unparse(n) for n in found]
+
+
+def _is_label(node: ast.AST) -> bool:
+    """Whether it is a label, or one that may be missing: `e.label or ""`."""
+    match node:
+        case ast.Attribute(attr="label") | ast.Name(id="label"):
+            return True
+        case ast.BoolOp(values=values):
+            return any(map(_is_label, values))
+        case ast.Call(func=ast.Name(id="str"), args=arguments):
+            return any(map(_is_label, arguments))
+    return False
+
+
+@pytest.mark.parametrize("name", [m for m in FILES if m.startswith("lagrange.explain")])
+def test_equations_are_found_by_their_kinds(name: str) -> None:
+    """What an equation is, its kind says; its label is an id in which the user's names stand."""
+    assert looks_into_labels(tree_of(name)) == []
+
+
+def test_the_search_for_parts_of_labels_finds_them() -> None:
+    text = '(e.label or "").startswith("a-"); label.partition("-"); e.label[:3]; re.match("a", e.label); "b" in e.label'
+    assert len(looks_into_labels(ast.parse(text))) == 5
+    assert looks_into_labels(ast.parse('e.label == "a"; e.label in labels; name.split(); Ref(e.label)')) == []
+
+
 def test_files_are_short() -> None:
     lengths = {str(p.relative_to(ROOT)): len(p.read_text(encoding="utf-8").splitlines()) for p in FILES.values()}
     assert {f: n for f, n in lengths.items() if n > LONGEST} == {}

@@ -409,7 +409,7 @@ def _of_exponential(op: Op) -> _Builder:
 
 
 def _quotient(above: Op | None, below: Op) -> _Builder:
-    """Of cosine and sine of the same angle."""
+    """Builds a quotient of the cosine and sine of one angle."""
 
     def build(graph: Graph, e: sp.Expr) -> int:
         angle = graph.angle(e.args[0])

@@ -89,7 +89,7 @@ class FieldPoint(Point):
         return cast(int, self.functions[key])
 
     def odd_function_value(self, name: str, argument: int) -> int:
-        """The same for an odd function."""
+        """The value of an odd function."""
         sign = self.field.sign(argument)
         return sign * self.function_value(name, (sign * argument % self.p,)) % self.p if sign else 0
 

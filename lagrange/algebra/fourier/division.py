@@ -135,7 +135,7 @@ def _shortened(numerator: Element, base: Element, exponent: int, order: int) -> 
 
 
 def over_one_denominator(element: Element) -> Element:
-    """The same, with fractions joined where that saves terms, and reduced."""
+    """The element with fractions joined where that saves terms, and reduced."""
     # Joining over one denominator may expose a common one with another: until nothing changes.
     for _ in range(MOST_JOINING_ROUNDS):
         joined = _joined_by_each_denominator(element)

@@ -261,7 +261,7 @@ def common_factor(expression: sp.Expr) -> CommonFactor:
 
 
 def common_factor_of(terms: Sequence[PowerProduct]) -> CommonFactor:
-    """The same of the sum of these products."""
+    """The common factor of the sum of these products."""
     powers = [term.factors for term in terms]
     # Only a denominator that an acceleration has as well is multiplied out: r'' + k/r² stays.
     leading = [d for d in powers if any(map(is_acceleration, d))] or powers

@@ -12,6 +12,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Part,
     Prose,
     Rule,
@@ -98,7 +99,9 @@ def _instant(motion: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:
         yield prose("Just before the impact everything is at rest.")
     elif known:
         yield prose("Just before the impact the velocities are")
-        yield display(*(Equation((velocity_before(q), b), label=f"before-{q.name}") for q, b in known))
+        yield display(
+            *(Equation((velocity_before(q), b), label=f"before-{q.name}", kind=EquationKind.BEFORE) for q, b in known)
+        )
     if free:
         letters = listed(math(velocity_before(q)) for q in free)
         words = plural(len(free), " is the velocity just before the impact", " are velocities just before the impact")

@@ -12,6 +12,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Part,
     Phrase,
     Purpose,
@@ -73,7 +74,11 @@ def _shown(
     """Integrals for one reason: why, the proof, and the equations."""
     suffix = suffix_of(choice)
     lines = [
-        Equation((i.expression, CONSTANT), label=f"conserved{suffix}-{conserved.integrals.index(i) + 1}")
+        Equation(
+            (i.expression, CONSTANT),
+            label=f"conserved{suffix}-{conserved.integrals.index(i) + 1}",
+            kind=EquationKind.CONSERVED,
+        )
         for i in integrals
     ]
     long = any(count_operations(i.expression) > LONGEST_INTEGRAL for i in integrals)
@@ -224,7 +229,11 @@ def _of_energy(energy: EnergyRate, choice: str, configuration: Configuration) ->
     if energy.driven and all(r.nonlinear is not None for r in configuration.rows if r.name in energy.driven):
         why = f": the {plural(len(energy.driven), 'reaction', 'reactions')} of {constraints_called(energy.driven)} "
         why += plural(len(energy.driven), "does work", "do work")
-    line = Equation((TimeDerivative(energy.expression), energy.rate), label=f"energy-rate{suffix_of(choice)}")
+    line = Equation(
+        (TimeDerivative(energy.expression), energy.rate),
+        label=f"energy-rate{suffix_of(choice)}",
+        kind=EquationKind.ENERGY_RATE,
+    )
     if energy.hidden:
         return [
             prose("The forces that depend on position alone have a potential, which was not found; without it the "

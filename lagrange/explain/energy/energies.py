@@ -12,7 +12,19 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import DotProduct, Partial, TimeDerivative, VectorSymbol, prime, t, variation
 from lagrange.core.vectors import Vector
-from lagrange.document.derivation import Block, Equation, Part, Rule, Step, display, listed, math, paragraph, prose
+from lagrange.document.derivation import (
+    Block,
+    Equation,
+    EquationKind,
+    Part,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.displacements import points_called
 from lagrange.explain.newton import explain_friction, natures
 from lagrange.explain.words import are, capital, joined, load_called, plural, qualified, suffix_of, the, title_in
@@ -152,7 +164,11 @@ def _velocities(setup: LagrangeExposition) -> list[Block]:
     turning = [r for r in setup.energies.configuration.rotations if r.has_inertia]
     if setup.choice and turning:
         spins = (
-            Equation((VectorSymbol(f"omega_{r.name}"), r.angular_velocity), label=f"spin{setup.suffix}-{r.name}")
+            Equation(
+                (VectorSymbol(f"omega_{r.name}"), r.angular_velocity),
+                label=f"spin{setup.suffix}-{r.name}",
+                kind=EquationKind.SPIN,
+            )
             for r in turning
         )
         word = plural(len(turning), "The angular velocity is", "The angular velocities are")
@@ -320,7 +336,9 @@ def _momenta(hamiltonian: Hamiltonian, letters: EnergySymbols) -> list[Block]:
         energies = [(letters.lagrangian, hamiltonian.energies.lagrangian)]
     stated = [Equation(pair, label=_label(hamiltonian, f"energy-{pair[0].name}")) for pair in energies if pair[1] != 0]
     momenta = [
-        Equation((p, Partial(function, v), e), label=_label(hamiltonian, f"momentum-{p.name}"))
+        Equation(
+            (p, Partial(function, v), e), label=_label(hamiltonian, f"momentum-{p.name}"), kind=EquationKind.MOMENTUM
+        )
         for p, v, e in zip(hamiltonian.momenta, velocities, hamiltonian.energies.momenta, strict=True)
     ]
     solved = [

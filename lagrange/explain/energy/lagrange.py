@@ -10,6 +10,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Part,
     Phrase,
     Prose,
@@ -297,7 +298,7 @@ def _eliminated(setup: LagrangeExposition) -> list[Block]:
         ]  # fmt: skip
     reactions = [setup.reaction(r) for r in setup.rows]
     lines = [
-        Equation((r.force, value), label=f"force-of{setup.suffix}-{r.name}")
+        Equation((r.force, value), label=f"force-of{setup.suffix}-{r.name}", kind=EquationKind.FORCE)
         for r, value in zip(reactions, motion.forces, strict=True)
     ]
     long = any(

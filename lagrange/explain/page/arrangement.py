@@ -8,7 +8,7 @@ coordinates the first is shown; the others are folded. All other steps are those
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from lagrange.document.derivation import Block, Display, Part, Prose, Rule, Step, listed, math, paragraph
@@ -79,7 +79,7 @@ def steps_of_page(
     forces: StatedEquations = (),
     *,
     every_choice: bool = False,
-) -> Iterator[Step]:
+) -> list[Step]:
     """The steps of the page.
 
     steps         of the full derivation
@@ -88,15 +88,8 @@ def steps_of_page(
     every_choice  whether no choice of coordinates is folded
     """
     solution = _with_best_choice_first(solution)
-    arranged = in_one_name(solution, _arranged(solution, steps, stated, forces, every_choice=every_choice))
-    arranged = iter(with_reaction_first(solution, [*in_directions(solution, short_in_speeds(solution, arranged))]))
-    arranged = with_held_values(solution, [*with_one_list([*arranged])])
-    arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
-    arranged = with_lengths(solution, [*response_shortly(solution, [*with_symbol_first([*arranged])])])
-    arranged = in_fewer_words([*arranged])
-    arranged = with_like_terms_in_one(solution, [*arranged])
-    arranged = with_turned_sums([*without_unused(solution, [*said_before([*arranged])])])
-    yield from in_pairs([*without_unused_sections(solution, [*arranged])])
+    arranged = [*_arranged(solution, steps, stated, forces, every_choice=every_choice)]
+    return _through(_FINISHING, solution, arranged)
 
 
 def _with_best_choice_first(solution: Solution) -> Solution:
@@ -109,23 +102,13 @@ def _arranged(
 ) -> Iterator[Step]:
     """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices and not rest_has_roots(solution) else ""
-    surface, speeds = on_surface(solution), ends_with_speeds(solution)
-    link = linked_particles.linked(solution)
+    surface, link = on_surface(solution), linked_particles.linked(solution)
     plain, stated = stated, in_names(solution, stated)
     named = in_names(solution, forces)
-    shortened = with_supports(solution, said_once(solution, Shortening(solution).shortened(steps)))
-    shortened = (alike_about_all_axes(solution, s) for s in shortened)
-    about = (Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.WORKLESS)
-    shortened = (on_nonlinear_constraint(solution, s) if s.rule in about else s for s in shortened)
-    if surface is not None:
-        shortened, stated = in_vectors(surface, shortened), ()
-    if link is not None:
-        shortened, stated = linked_particles.in_vectors(link, shortened), ()
-    if speeds:
-        shortened = in_speeds_only(solution, shortened)
+    if surface is not None or link is not None:
+        stated = ()
+    arranged = _through(_SHORTENING, solution, Shortening(solution).shortened(steps))
     open_, folded = [], []
-    shortened = without_idle(solution, shortened)
-    arranged = list(freedom_in_one(_without_bodies(solution, shortened)))
     if not every_choice:
         arranged = without_detour(solution, arranged, lambda step: is_detour(solution, step))
     for step in _in_pairs(arranged):
@@ -231,3 +214,79 @@ def _meeting(first: tuple[Block, ...], second: tuple[Block, ...]) -> tuple[Block
     if last and begin and isinstance(last[0], Prose) and isinstance(begin[0], Prose):
         return (*first[:-1], paragraph(last[0], begin[0]), *second[1:])
     return (*first, *second)
+
+
+# The passes
+
+
+def _in_vectors(solution: Solution, steps: list[Step]) -> Iterable[Step]:
+    """The steps of a particle on a surface, or of two particles on a rod, in vectors."""
+    surface, link = on_surface(solution), linked_particles.linked(solution)
+    if surface is not None:
+        steps = [*in_vectors(surface, steps)]
+    return steps if link is None else linked_particles.in_vectors(link, steps)
+
+
+def _on_nonlinear_constraint(solution: Solution, steps: list[Step]) -> Iterable[Step]:
+    about = (Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.WORKLESS)
+    return (on_nonlinear_constraint(solution, s) if s.rule in about else s for s in steps)
+
+
+def _in_speeds_only(solution: Solution, steps: list[Step]) -> Iterable[Step]:
+    return in_speeds_only(solution, steps) if ends_with_speeds(solution) else steps
+
+
+def _alike_about_all_axes(solution: Solution, steps: list[Step]) -> Iterable[Step]:
+    return (alike_about_all_axes(solution, s) for s in steps)
+
+
+Pass = Callable[[Solution, list[Step]], Iterable[Step]]
+
+
+def _of_steps(change: Callable[[list[Step]], Iterable[Step]]) -> Pass:
+    """A pass that needs the steps only."""
+    return lambda _, steps: change(steps)
+
+
+_SHORTENING: tuple[tuple[Pass, str], ...] = (
+    (said_once, "which steps there are: all others need only be made for these"),
+    (with_supports, "adds reactions at rest, in place of the step that said there are none"),
+    (_alike_about_all_axes, "H = J ω, while angular momenta are still components"),
+    (_on_nonlinear_constraint, "v² for x'² + y'², while reactions are still components"),
+    (_in_vectors, "makes whole sections anew, and so comes after what changes their lines"),
+    (_in_speeds_only, "leaves the principle out where quasi-velocities follow"),
+    (without_idle, "leaves out work that is zero, before sections on reactions are joined"),
+    (_without_bodies, "joins the sections on reactions and their work"),
+    (_of_steps(freedom_in_one), "joins the sections on classification and freedom, now neighbours"),
+)
+"""What is done to the steps before some are folded and the head is made, with the reason for its place."""
+_FINISHING: tuple[tuple[Pass, str], ...] = (
+    (in_one_name, "first, as all others compare unit vectors by their names"),
+    (short_in_speeds, "shorter components, before vectors are made of them"),
+    (in_directions, "vectors as multiples of named ones, once their components are final"),
+    (with_reaction_first, "moves steps, and so comes before all that ask what has been said above"),
+    (_of_steps(with_one_list), "refers to the forms above in place of a list of displacements"),
+    (with_held_values, "puts values in before lengths decide what is written out"),
+    (_of_steps(in_few_lines), "omits long lines to which nothing refers any more"),
+    (_of_steps(in_one_box), "boxes of small motions, before letters are found for their denominators"),
+    (counted_shortly, "counts the equations that are left"),
+    (_of_steps(with_symbol_first), "conditions turned round, before they are compared"),
+    (response_shortly, "refers to the boxes of the equations of motion, which are final"),
+    (with_lengths, "letters for long roots, once all lines that have them are there"),
+    (_of_steps(in_fewer_words), "pairs displacements and substitutions in lines that stay"),
+    (with_like_terms_in_one, "the last change of a frequency, before repetitions are sought"),
+    (_of_steps(said_before), "compares finished lines, and omits those said before"),
+    (without_unused, "definitions of what no line has now"),
+    (_of_steps(with_turned_sums), "signs, which no later pass compares"),
+    (without_unused_sections, "sections that have become empty or say nothing"),
+    (_of_steps(in_pairs), "last: two short lines as one could not be compared any more"),
+)
+"""What is done to the page, the head included, with the reason for its place."""
+
+
+def _through(passes: Iterable[tuple[Pass, str]], solution: Solution, steps: Iterable[Step]) -> list[Step]:
+    """The steps after all passes, one after another."""
+    finished = [*steps]
+    for change, _reason in passes:
+        finished = [*change(solution, finished)]
+    return finished

@@ -42,6 +42,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Mathematics,
     Part,
     Prose,
@@ -314,7 +315,7 @@ def _with(zero: dict[sp.Symbol, sp.Expr], block: Display) -> Display:
 
 def _simpler(zero: dict[sp.Symbol, sp.Expr], e: Equation) -> Equation:
     left, *right = e.sides
-    if not (e.label or "").startswith("virtual-") or left in zero or not isinstance(left, sp.Expr):
+    if e.kind is not EquationKind.VIRTUAL or left in zero or not isinstance(left, sp.Expr):
         return e
     return replace(e, sides=(left.xreplace(zero), *right))
 
@@ -416,7 +417,10 @@ def with_only_coordinate(solution: Solution, step: Step) -> Step:
     if only is None:
         return step
     words = prose("Solved for ", math(only.coordinate), ", with a constant ", math(only.constant), ", it is")
-    line = display(Equation((only.coordinate, only.value), label=f"only-{only.coordinate.name}"), boxed=True)
+    line = display(
+        Equation((only.coordinate, only.value), label=f"only-{only.coordinate.name}", kind=EquationKind.ONLY),
+        boxed=True,
+    )
     return replace(step, body=(*step.body, words, line))
 
 
@@ -472,7 +476,7 @@ def _referred(step: Step) -> set[str]:
 def _hidden(step: Step) -> Iterator[Block]:
     """The finite relations that no single constraint shows, with the sentence before them."""
     for before, block in zip(step.body, step.body[1:], strict=False):
-        if isinstance(block, Display) and any((e.label or "").startswith("hidden-") for e in block.equations):
+        if isinstance(block, Display) and any(e.kind is EquationKind.HIDDEN for e in block.equations):
             yield before
             yield block
 

@@ -21,6 +21,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Math,
     Mathematics,
     Part,
@@ -266,7 +267,7 @@ def _referring_once(blocks: Iterable[Block]) -> Iterator[Block]:
 
 
 def _is_kinematic(block: Display) -> bool:
-    return all((e.label or "").startswith(("acceleration", "momentum-rate")) for e in block.equations)
+    return block.is_of(EquationKind.ACCELERATION, EquationKind.MOMENTUM_RATE)
 
 
 def _is_repeated(block: Display, shown: Sequence[object]) -> bool:
@@ -289,13 +290,18 @@ def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
         yield replace(step, body=tuple(blocks))
 
 
-_IN_PAIRS = ("position", "force", "moment", "spin", "momentum", "acceleration", "delta", "rotation", "before",
-             "reaction", "couple", "newton", "turning", "in-speeds-r", "in-speeds-omega", "in-speeds-H",
-             "changed-in-speeds-r", "changed-in-speeds-H", "kinematic", "quasi-variation", "speed",
-             "possible-work")  # fmt: skip
-
-
-_ALSO_IN_PAIRS = (["spin", "momentum"], ["reaction", "couple"], ["delta", "rotation"])
+_IN_PAIRS = frozenset({
+    EquationKind.POSITION, EquationKind.FORCE, EquationKind.MOMENT, EquationKind.SPIN, EquationKind.MOMENTUM,
+    EquationKind.ACCELERATION, EquationKind.MOMENTUM_RATE, EquationKind.DELTA, EquationKind.ROTATION,
+    EquationKind.BEFORE, EquationKind.REACTION, EquationKind.COUPLE, EquationKind.NEWTON, EquationKind.TURNING,
+    EquationKind.KINEMATIC, EquationKind.QUASI_VARIATION, EquationKind.SPEED, EquationKind.POSSIBLE_WORK,
+})  # fmt: skip
+"""Of which two short lines stand side by side."""
+_ALSO_IN_PAIRS = (
+    (EquationKind.SPIN, EquationKind.MOMENTUM),
+    (EquationKind.REACTION, EquationKind.COUPLE),
+    (EquationKind.DELTA, EquationKind.ROTATION),
+)
 
 
 def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterator[Equation]:
@@ -313,14 +319,10 @@ def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterato
 
 
 def _go_together(first: Equation, second: Equation) -> bool:
-    kinds = [_kind(e) for e in (first, second)]
+    kinds = (first.kind, second.kind)
     plain = not first.condition and not second.condition and first.relation == second.relation == "="
-    alike = bool(kinds[0]) and (kinds[0] == kinds[1] or kinds in _ALSO_IN_PAIRS)
+    alike = first.kind in _IN_PAIRS and (first.kind is second.kind or kinds in _ALSO_IN_PAIRS)
     return plain and alike and are_short((first, second))
-
-
-def _kind(e: Equation) -> str:
-    return next((k for k in sorted(_IN_PAIRS, key=len, reverse=True) if (e.label or "").startswith(f"{k}-")), "")
 
 
 def _defined_once(block: Display, defined: dict[object, object]) -> Display:
@@ -493,7 +495,7 @@ def remaining_shortly(step: Step, slots: Slots) -> Step:
 
     def line(e: Equation) -> Equation:
         left = e.sides[0]
-        if not (e.label or "").startswith("rate-") or e.sides[1:] != (sp.S.Zero,) or not isinstance(left, sp.Expr):
+        if e.kind is not EquationKind.REMAINING_RATE or e.sides[1:] != (sp.S.Zero,) or not isinstance(left, sp.Expr):
             return e
         return replace(e, sides=(without_constant_factors(left, moving), sp.S.Zero))
 
@@ -519,12 +521,12 @@ def without_momenta(step: Step) -> Step:
     """The statement of bodies without their angular momenta, where these follow in quasi-velocities."""
     body: list[Block] = []
     for block in step.body:
-        if isinstance(block, Display) and any((e.label or "").startswith("momentum-") for e in block.equations):
-            kept = tuple(e for e in block.equations if not (e.label or "").startswith("momentum-"))
+        if isinstance(block, Display) and any(e.kind is EquationKind.MOMENTUM for e in block.equations):
+            kept = tuple(e for e in block.equations if e.kind is not EquationKind.MOMENTUM)
             before = body[-1]
             assert isinstance(before, Prose)
             body[-1] = replace(before, parts=tuple(map(_without_momentum, before.parts)))
-            positions = [e for e in kept if (e.label or "").startswith("position-")]
+            positions = [e for e in kept if e.kind is EquationKind.POSITION]
             block = replace(block, equations=(*positions, *(e for e in kept if e not in positions)))
         body.append(block)
     return replace(step, body=tuple(body))

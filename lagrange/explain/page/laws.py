@@ -19,6 +19,7 @@ from lagrange.document.derivation import (
     Detail,
     Display,
     Equation,
+    EquationKind,
     Part,
     Phrase,
     Prose,
@@ -77,7 +78,7 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
             along = [prose("and, along ", *forces, " and at a right angle to it," if len(forces) == 1 else ",")]
     lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
     components = [
-        Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
+        Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}", kind=EquationKind.NEWTON)
         for b in bodies
         for n, c in enumerate(b.components, start=1)
     ]
@@ -274,8 +275,8 @@ def _reaction_line(body: FreeBody, units: Directions) -> Equation | None:
     if not is_along_unit and all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
         directed = ((r, unit_along(direction, units)) for r, direction in body.reactions)
         pulls = sp.Add(*(_pull(r, body.name) if unit is None else r.force * unit for r, unit in directed))
-        return Equation((name, pulls), label=f"reaction-{body.name}")
-    return Equation((name, total), label=f"reaction-{body.name}")
+        return Equation((name, pulls), label=f"reaction-{body.name}", kind=EquationKind.REACTION)
+    return Equation((name, total), label=f"reaction-{body.name}", kind=EquationKind.REACTION)
 
 
 def _pull(reaction: Reaction, particle: str) -> sp.Expr:
@@ -298,7 +299,10 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
     rows = configuration.rows
     forms = [virtual_displacement(without_common_number(r), slots) for r in rows]
     total = sp.Add(*(w.reaction.force * with_common_factor(w.virtual) for w in works))
-    lines = [Equation((f, ZERO), label=f"virtual-{r.name}") for f, r in zip(forms, rows, strict=True)]
+    lines = [
+        Equation((f, ZERO), label=f"virtual-{r.name}", kind=EquationKind.VIRTUAL, about=r.name)
+        for f, r in zip(forms, rows, strict=True)
+    ]
     between = [_relative(w.reaction) for w in works]
     if len(works) == len(rows) and all(b is not None for b in between) and sum(map(_length, forms)) > LONGEST_FORMS:
         products = dict(zip((w.reaction.name for w in works), between, strict=True))
@@ -375,8 +379,8 @@ def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
     last = max(n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label in labels)
     before = [b for b in step.body[: at - 1] if not has_purpose(b, Purpose.ACTING)]
     after = [b for b in step.body[last + 1 :] if not has_purpose(b, Purpose.ACTING)]
-    moments = any((e.label or "").startswith("couple") for e in sums)
-    forces = any((e.label or "").startswith("reaction") for e in sums)
+    moments = any(e.kind is EquationKind.COUPLE for e in sums)
+    forces = any(e.kind is EquationKind.REACTION for e in sums)
     what = joined(["the reactions"] * forces + ["their moments about the mass centres"] * moments)
     sentences = [prose(*s) for s in _alike(newton.reactions)]
     if sentences:
@@ -388,10 +392,10 @@ def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
 
 def _by_kind(block: Block) -> Block:
     """The laws of motion of all mass centres before those of all rotations."""
-    kinds = ("newton", "turning")
-    if not isinstance(block, Display) or {(e.label or "").partition("-")[0] for e in block.equations} != {*kinds}:
+    kinds = (EquationKind.NEWTON, EquationKind.TURNING)
+    if not isinstance(block, Display) or {e.kind for e in block.equations} != {*kinds}:
         return block
-    ordered = sorted(block.equations, key=lambda e: kinds.index((e.label or "").partition("-")[0]))
+    ordered = sorted(block.equations, key=lambda e: e.kind is EquationKind.TURNING)
     return replace(block, equations=tuple(ordered))
 
 
@@ -425,10 +429,10 @@ def shares_shortly(solution: Solution, step: Step) -> Step:
     step = _as_a_whole(solution, step)
     if len(several) < 2:
         return step
-    labels = tuple(f"share-{w.reaction.name}-" for w in several)
+    shared = {w.reaction.name for w in several}
     body: list[Block] = []
     for block in step.body:
-        if isinstance(block, Display) and (block.equations[0].label or "").startswith(labels):
+        if isinstance(block, Display) and block.is_of(EquationKind.SHARE) and block.equations[0].about in shared:
             body.pop()
         elif not has_purpose(block, Purpose.ONLY_SUM):
             body.append(block)

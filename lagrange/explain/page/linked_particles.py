@@ -30,6 +30,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Part,
     Purpose,
     Ref,
@@ -208,7 +209,11 @@ def _motion(link: RodLink) -> Iterator[Block]:
     several: tuple[Part, ...] = ("Of the components of ", Ref("link-across"), " two are independent. ")
     yield prose(*(several if in_space else ()), "With the constraint, these are the equations of motion:")
     lines = (replace(e, label=None) for e in (together, across))
-    yield display(*lines, Equation((constraint.lhs, constraint.rhs), label="motion-link"), boxed=True)
+    yield display(
+        *lines,
+        Equation((constraint.lhs, constraint.rhs), label="motion-link", kind=EquationKind.COMPLETING),
+        boxed=True,
+    )
 
 
 def _reaction(link: RodLink, step: Step) -> Step:

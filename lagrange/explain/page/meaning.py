@@ -15,6 +15,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Part,
     Prose,
     Purpose,
@@ -303,7 +304,7 @@ def _in_remaining(block: Block, conserved: Conserved) -> Block:
         return block
     lines = (
         replace(e, sides=(in_remaining_velocities(e.sides[0], conserved.motion), *e.sides[1:]))
-        if (e.label or "").startswith("conserved") and isinstance(e.sides[0], sp.Expr)
+        if e.kind is EquationKind.CONSERVED and isinstance(e.sides[0], sp.Expr)
         else e
         for e in block.equations
     )
@@ -330,7 +331,7 @@ def _without_accelerations(body: Sequence[Block], beside: EnergyExcess | None, c
     blocks = list(body)
     for n, block in enumerate(blocks):
         last = block.equations[-1] if isinstance(block, Display) else None
-        if last is None or not (last.label or "").startswith("energy-rate"):
+        if last is None or last.kind is not EquationKind.ENERGY_RATE:
             continue
         rate = last.sides[-1]
         if isinstance(rate, sp.Expr) and isinstance(block, Display):  # −μ N (x' + R θ'), the power of friction

@@ -24,6 +24,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Math,
     Mathematics,
     Part,
@@ -85,7 +86,15 @@ def _without_reasons(block: Block) -> Block:
 def displacements_of_geometric(configuration: Configuration, elimination: Elimination) -> Step:
     """Where constraints are free of time, virtual displacements satisfy them as possible ones do."""
     slots, rows = configuration.slots, configuration.rows
-    lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
+    lines = (
+        Equation(
+            (virtual_displacement(r, slots), sp.S.Zero),
+            label=f"virtual-{r.name}",
+            kind=EquationKind.VIRTUAL,
+            about=r.name,
+        )
+        for r in rows
+    )
     body = (
         prose("Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
               f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,", purpose=Purpose.TIMELESS),
@@ -98,7 +107,7 @@ def displacements_of_geometric(configuration: Configuration, elimination: Elimin
 
 def _is_plain(equation: Equation) -> bool:
     value = equation.sides[-1]
-    named = (equation.label or "").startswith("delta")
+    named = equation.kind is EquationKind.DELTA
     return named and isinstance(value, Vector) and all(c == 0 or c.is_Function for c in value.components)
 
 
@@ -117,7 +126,7 @@ def principle_shortly(step: Step, coordinates: frozenset[object], *, known: bool
     for n, block in enumerate(body):
         if not n or not isinstance(block, Display):
             continue
-        kinematic = all((e.label or "").startswith(("acceleration", "momentum-rate")) for e in block.equations)
+        kinematic = block.is_of(EquationKind.ACCELERATION, EquationKind.MOMENTUM_RATE)
         if (known and kinematic) or all(_is_evident(e, coordinates) for e in block.equations):
             body[n - 1 : n + 1] = []
             at = next(k for k, b in enumerate(body) if has_purpose(b, Purpose.WRITTEN_OUT))
@@ -130,7 +139,7 @@ def principle_shortly(step: Step, coordinates: frozenset[object], *, known: bool
 
 def _is_evident(equation: Equation, accelerations: frozenset[object]) -> bool:
     value = equation.sides[-1]
-    named = (equation.label or "").startswith("acceleration")
+    named = equation.kind is EquationKind.ACCELERATION
     return named and isinstance(value, Vector) and all(c == 0 or c in accelerations for c in value.components)
 
 
@@ -154,7 +163,7 @@ def with_displacements(step: Step, motion: DalembertMotion) -> Step:
     where: tuple[Part, ...] = (Phrase(" where ", Purpose.WHERE), *pivots) if pivots else ()
     by = ("By ", *listed(Ref(f"virtual-{r.name}") for r in rows))
     follows = step.body[1] if len(step.body) > 1 else None
-    is_whole = isinstance(follows, Display) and (follows.equations[0].label or "").startswith("reduced")
+    is_whole = isinstance(follows, Display) and follows.equations[0].kind is EquationKind.REDUCED
     after: tuple[Part, ...] = ("and ", Ref("written-out"), " becomes") if is_whole else ("remain.",)
     if len(solved) == 1 and is_whole:
         [(d, e)] = solved.items()
@@ -168,7 +177,7 @@ def without_long_sum(step: Step, motion: DalembertMotion) -> Step:
     """The equations without a long sum over all displacements before them, whose brackets they are."""
     body = list(step.body)
     for n, block in enumerate(body):
-        if not isinstance(block, Display) or not (block.equations[0].label or "").startswith("reduced"):
+        if not isinstance(block, Display) or block.equations[0].kind is not EquationKind.REDUCED:
             continue
         if count_operations(motion.reduced) > LONGEST_SUM:
             coordinates = motion.configuration.slots.coordinates
@@ -191,7 +200,9 @@ def _conditional(block: Block, excluded: Sequence[sp.Expr], motion: EquationsOfM
     """A boxed display of equations of motion, each condition at its equation; after the last those of several."""
     if not isinstance(block, Display) or not block.boxed:
         return block
-    places = [n for n, e in enumerate(block.equations) if (e.label or "").startswith("motion")]
+    places = [
+        n for n, e in enumerate(block.equations) if e.kind in (EquationKind.MOTION, EquationKind.MOTION_IN_SPEEDS)
+    ]
     if not places:
         return block
     at: dict[int, list[sp.Expr]] = {}
@@ -220,9 +231,6 @@ def in_one_step(coordinates: Step, equations: Step) -> tuple[Step, Step]:
     )
 
 
-_KINEMATICS = ("acceleration", "delta")
-
-
 def _merged(body: Sequence[Block]) -> list[Block]:
     """The accelerations and virtual displacements of points in one display."""
     places = [n for n, b in enumerate(body) if isinstance(b, Display) and _is_kinematic(b)]
@@ -238,7 +246,7 @@ def _merged(body: Sequence[Block]) -> list[Block]:
 
 
 def _is_kinematic(block: Display) -> bool:
-    return all((e.label or "").startswith(_KINEMATICS) for e in block.equations)
+    return block.is_of(EquationKind.ACCELERATION, EquationKind.DELTA)
 
 
 def without_multipliers(step: Step) -> Step:

@@ -20,6 +20,7 @@ from lagrange.document.derivation import (
     Detail,
     Display,
     Equation,
+    EquationKind,
     Math,
     Part,
     Prose,
@@ -48,7 +49,6 @@ from lagrange.explain.limits import (
 )
 from lagrange.explain.page.meaning import are_solved, operations_of_equations
 from lagrange.explain.page.names import with_named_denominators
-from lagrange.explain.page.shorter.reactions import LABEL
 from lagrange.explain.page.system import explain_independence
 from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, spoken, the
 from lagrange.mechanics.energy_symbols import energy_symbols
@@ -181,14 +181,17 @@ def _has_long_roots(lines: Sequence[Equation]) -> bool:
     return any(p.exp.q == 2 and count_operations(p.base) > LONGEST_RADICAND for p in roots)
 
 
+_MOTION = (EquationKind.MOTION, EquationKind.MOTION_IN_SPEEDS, EquationKind.COMPLETING)
+
+
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     """Constant accelerations instead of equations for them; quantities asked for are stated once."""
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
     view = solution.chosen
     equations = kept.get(Rule.EQUATIONS_OF_MOTION)
     freed = without_given_rates(view) if equations else None
-    if freed is not None and all((e.label or "").startswith(("motion", "with")) for e in equations or ()):
-        constraints = [e for e in equations or () if (e.label or "").startswith("with")]
+    if freed is not None and all(e.kind in _MOTION for e in equations or ()):
+        constraints = [e for e in equations or () if e.kind is EquationKind.COMPLETING]
         kept[Rule.EQUATIONS_OF_MOTION] = [Equation((e.expression, sp.S.Zero)) for e in freed.equations] + constraints
     held = held_values(view.configuration) | given_rates(view.configuration)
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
@@ -260,7 +263,7 @@ def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
     functions = (*(f for _, f in classification.integrals), *(c.function for c in classification.combined[:1]))
     lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST_RESULTS]
     displays = (b for s in steps for b in s.body if isinstance(b, Display))
-    solved = [e for b in displays for e in b.equations if (e.label or "").startswith("only-")]
+    solved = [e for b in displays for e in b.equations if e.kind is EquationKind.ONLY]
     lines = [replace(e, label=None) for e in solved] or lines
     vectors = [*_displacements(steps)]
     also = ""
@@ -285,9 +288,9 @@ def _displacements(steps: Sequence[Step]) -> Iterator[Equation]:
     shown = [
         e for s in steps if s.rule is Rule.DISPLACEMENTS for b in s.body if isinstance(b, Display) for e in b.equations
     ]
-    virtual = [e for e in shown if (e.label or "").startswith("virtual-")]
+    virtual = [e for e in shown if e.kind is EquationKind.VIRTUAL]
     if len(virtual) == 1 and isinstance(virtual[0].sides[0], DotProduct):
-        moved = [e for e in shown if (e.label or "").startswith("possible-")]
+        moved = [e for e in shown if e.kind is EquationKind.POSSIBLE]
         yield from (replace(e, label=None) for e in (*virtual, *moved))
 
 
@@ -367,7 +370,7 @@ def _are_equal(e: Equation) -> bool:
 
 def _is_sum(e: Equation) -> bool:
     """Whether it is the sum of reactions along unit vectors that turn."""
-    return (e.label or "").startswith(LABEL)
+    return e.kind is EquationKind.SUM_ALONG_AXES
 
 
 def is_better(view: InCoordinates, stated: StatedEquations, lines: Sequence[Equation]) -> bool:
@@ -413,7 +416,7 @@ def _in_speeds(steps: list[Step], stated: StatedEquations) -> Iterator[tuple[Rul
     if boxes and stated:
         yield Rule.EQUATIONS_OF_MOTION, [Equation(sides) for sides in stated]
     elif boxes:
-        moving = [e for e in boxes[-1].equations if (e.label or "").startswith("motion-in-speeds")]
+        moving = [e for e in boxes[-1].equations if e.kind is EquationKind.MOTION_IN_SPEEDS]
         yield Rule.EQUATIONS_OF_MOTION, [replace(e, condition=()) for e in moving]
 
 

@@ -154,7 +154,9 @@ def _equilibria(
         *before, last = groups[-1]
         words = ("; " if last.condition else "", "others, if any, are not solved in closed form")
         groups[-1] = [*before, replace(last, condition=(*last.condition, *words))]
-    are_systems = any(len(lines) > 1 for lines in groups)
+    coordinates = {*view.configuration.slots.coordinates}
+    unknowns = {frozenset(e.sides[0].free_symbols & coordinates) for lines in groups for e in lines}
+    are_systems = any(len(lines) > 1 for lines in groups) or len(unknowns) > 1
     for n, (*first, last) in enumerate(groups, start=1):
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")

@@ -18,6 +18,7 @@ from lagrange.document.derivation import (
     Detail,
     Display,
     Equation,
+    EquationKind,
     Part,
     Purpose,
     Ref,
@@ -101,7 +102,7 @@ def _of_loads(first: InCoordinates, step: Step) -> Iterator[Block]:
         if not isinstance(block, Display) or not idle & {e.label for e in block.equations}:
             continue
         lines = tuple(e for e in block.equations if e.label not in idle)
-        if lines and n and all((e.label or "").startswith("delta-at-rest") for e in lines):
+        if lines and n and all(e.kind is EquationKind.DELTA for e in lines):
             one = len(lines) == 1
             where = "the point where a force acts is" if one else "the points where forces act are"
             body[n - 1 : n + 1] = [prose(f"The virtual displacement{'' if one else 's'} of {where}"), display(*lines)]

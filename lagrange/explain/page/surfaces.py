@@ -34,6 +34,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Math,
     Part,
     Prose,
@@ -232,7 +233,12 @@ def _displacements(s: OnSurface, step: Step) -> Step:
         "two of them in the same time ", dt, ", from the same position: ",
         *(("the terms in ", dt, " drop out, and ") if moving else ()), "it satisfies",
     )  # fmt: skip
-    virtual = Equation((DotProduct(s.gradient, _virtual(s)), ZERO), label=f"virtual-{s.row.name}")
+    virtual = Equation(
+        (DotProduct(s.gradient, _virtual(s)), ZERO),
+        label=f"virtual-{s.row.name}",
+        kind=EquationKind.VIRTUAL,
+        about=s.row.name,
+    )
     tangent: tuple[Part, ...] = (
         math(s.gradient),
         " is normal to the surface. So every virtual displacement is tangent to it, ",
@@ -262,7 +268,7 @@ def _laws(s: OnSurface) -> Step:
     reaction, friction = VectorSymbol(f"R_{s.name}"), s.friction
     law = Equation((s.mass * VectorSymbol(f"r_{s.name}''"), s.applied - s.rubbing + reaction), label=f"law-{s.name}")
     force: tuple[Part, ...] = ("the applied force ", math(s.applied), " and ") if s.applied != 0 else ()
-    normal = Equation((reaction, r.force * s.gradient), label=f"reaction-{s.name}")
+    normal = Equation((reaction, r.force * s.gradient), label=f"reaction-{s.name}", kind=EquationKind.REACTION)
     newton = s.solution.law.newton if s.solution.law is not None else None
     assert newton is not None
     body: list[Block] = []
@@ -343,8 +349,13 @@ def _motion(s: OnSurface, step: Step) -> Step:
     if s.friction is not None:
         size = ("with ", math(s.letters[1], sp.Abs(VectorSymbol(f"R_{s.name}"))))
     both = (
-        Equation((CrossProduct(s.left_over, s.gradient), ZERO), label="motion-across", condition=size),
-        Equation((constraint.lhs, constraint.rhs), label="motion-surface"),
+        Equation(
+            (CrossProduct(s.left_over, s.gradient), ZERO),
+            label="motion-across",
+            kind=EquationKind.MOTION,
+            condition=size,
+        ),
+        Equation((constraint.lhs, constraint.rhs), label="motion-surface", kind=EquationKind.COMPLETING),
     )
     body: list[Block] = [
         prose("By ", Ref(f"virtual-{s.row.name}"), ", ", math(_virtual(s)), " is any vector normal to ",
@@ -357,7 +368,11 @@ def _motion(s: OnSurface, step: Step) -> Step:
         sides = [s.mass * a - f for a, f in zip(configuration.slots.accelerations, force, strict=True)]
         pairs = ((1, 2), (2, 0), (0, 1))
         lines = (
-            Equation((sides[a] * s.components[b], sides[b] * s.components[a]), label=f"motion-component-{n}")
+            Equation(
+                (sides[a] * s.components[b], sides[b] * s.components[a]),
+                label=f"motion-component-{n}",
+                kind=EquationKind.MOTION,
+            )
             for n, (a, b) in enumerate(pairs, start=1)
         )
         body += [prose("In components, of which two are independent wherever ", math(s.gradient, ZERO, relation="≠"),
@@ -416,4 +431,6 @@ def _energy(s: OnSurface, step: Step) -> Step:
         words = ("The reaction does no work, but friction takes energy. Along the motion",)
     else:
         words = ("The surface does no work in the motion either: only the applied force changes the kinetic energy,",)
-    return replace(step, body=(prose(*words), display(Equation((rate, shown), label="energy-rate"))))
+    return replace(
+        step, body=(prose(*words), display(Equation((rate, shown), label="energy-rate", kind=EquationKind.ENERGY_RATE)))
+    )

@@ -23,6 +23,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Mathematics,
     Part,
     Phrase,
@@ -97,7 +98,7 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
     if not at or at != list(range(at[0], at[-1] + 1, 2)):  # each display has its sentence before it
         return body
     weights = all(f.name == "weight" for f in configuration.loads) and bool(configuration.loads)
-    forces = any((e.label or "").startswith("force") for e in lines)
+    forces = any(e.kind is EquationKind.FORCE for e in lines)
     also = (" and weight" if len(points) == 1 else " and weights") if weights else " and applied force"
     opening, closing = (", of mass ", ",") if len(points) < 3 else (" (of mass ", ")")
     masses = ((introduced(p.name), *((opening, math(p.mass), closing) if p.mass != 0 else ())) for p in points)
@@ -235,7 +236,7 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
         if [f.name for f in configuration.loads if f.on == n and not f.elsewhere] == ["weight"]
     ]  # fmt: skip
     moments = [r.name for r in configuration.rotations if not configuration.loads_beside(r.name)]
-    shown = {e.label for b in body if isinstance(b, Display) for e in b.equations}
+    shown = {e.kind for b in body if isinstance(b, Display) for e in b.equations}
     groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution, shown))] if several and plain else []
     groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
@@ -254,7 +255,7 @@ def _gathered(blocks: Sequence[Block], labels: set[str], lead: Prose) -> list[Bl
         return list(blocks)
     every: list[Equation] = [e for n in places for e in blocks[n].equations]  # type: ignore[union-attr]
     lines = [e for e in every if not _is_no_spin(e)] or every
-    lines.sort(key=lambda e: not (e.label or "").startswith("position"))
+    lines.sort(key=lambda e: e.kind is not EquationKind.POSITION)
     gone = {m for n in places for m in (n - 1, n)}
     before = [b for n, b in enumerate(blocks) if n < places[0] - 1]
     after = [b for n, b in enumerate(blocks) if n > places[0] and n not in gone]
@@ -264,7 +265,7 @@ def _gathered(blocks: Sequence[Block], labels: set[str], lead: Prose) -> list[Bl
 def _is_no_spin(e: Equation) -> bool:
     """Whether it says that a body does not turn, which its angle 0 says already."""
     value = e.sides[-1]
-    return (e.label or "").startswith("spin-") and isinstance(value, Vector) and value.is_zero
+    return e.kind is EquationKind.SPIN and isinstance(value, Vector) and value.is_zero
 
 
 def _about_centres(solution: Solution, *, some: bool = False) -> str:
@@ -274,8 +275,8 @@ def _about_centres(solution: Solution, *, some: bool = False) -> str:
     return " about the mass centres" if (any(massive) if some else all(massive)) else ""
 
 
-def _bodies(solution: Solution, labels: Collection[str | None]) -> Prose:
-    """What moves, with masses, angles and moments of inertia, and which of `labels` follow."""
+def _bodies(solution: Solution, kinds: Collection[EquationKind | None]) -> Prose:
+    """What moves, with masses, angles and moments of inertia, and which `kinds` of equations follow."""
     configuration, problem = solution.own.configuration, solution.problem
     bodies = {b.name: b for b in problem.bodies}
     masses = {p.name: p.mass for p in configuration.points}
@@ -304,9 +305,8 @@ def _bodies(solution: Solution, labels: Collection[str | None]) -> Prose:
     last = ", and " if any(len(names) > 1 for _, names in alike.values()) else " and "
     centres = "mass centres" if _about_centres(solution) else "bodies"
     placed = f"positions of the {'particles and ' if particles else ''}{centres}"
-    kinds = {(label or "").partition("-")[0] for label in labels}
-    also = [placed] * ("position" in kinds) + ["angular velocities"]
-    momenta = [f"angular momenta{_about_centres(solution)}"] * ("momentum" in kinds)
+    also = [placed] * (EquationKind.POSITION in kinds) + ["angular velocities"]
+    momenta = [f"angular momenta{_about_centres(solution)}"] * (EquationKind.MOMENTUM in kinds)
     what = Phrase(joined([*also, *momenta]), Purpose.MOMENTA, joined(also))
     return prose(*beside, "The bodies are rigid: ", *series(clauses, last), ". The ", what, " are")
 
@@ -324,14 +324,16 @@ def alike_about_all_axes(solution: Solution, step: Step) -> Step:
 
 
 def _with_one_moment(e: Equation, moments: Mapping[str, sp.Expr]) -> Equation:
-    label = e.label or ""
-    for name, moment in moments.items():
-        if label == f"momentum-{name}":
-            return replace(e, sides=(e.sides[0], moment * VectorSymbol(f"omega_{name}")))
-        if label.startswith("momentum-rate") and label.endswith(f"-{name}"):
-            return replace(e, sides=(e.sides[0], *(_divided(s, moment) for s in e.sides[1:])))
-        if label.startswith(f"turning-{name}-") and isinstance(e.sides[0], sp.Expr):
-            return replace(e, sides=(with_factor(e.sides[0], moment), *e.sides[1:]))
+    moment = moments.get(e.about)
+    if moment is None:
+        return e
+    first, *others = e.sides
+    if e.kind is EquationKind.MOMENTUM:
+        return replace(e, sides=(first, moment * VectorSymbol(f"omega_{e.about}")))
+    if e.kind is EquationKind.MOMENTUM_RATE:
+        return replace(e, sides=(first, *(_divided(s, moment) for s in others)))
+    if e.kind is EquationKind.TURNING and isinstance(first, sp.Expr):
+        return replace(e, sides=(with_factor(first, moment), *others))
     return e
 
 

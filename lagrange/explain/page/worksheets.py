@@ -20,6 +20,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Matrices,
     Part,
     Prose,
@@ -243,10 +244,8 @@ _OF_MEANING = {
 
 def _about_meaning(step: Step) -> tuple[Part, ...]:
     purposes = {b.purpose for b in step.body if isinstance(b, Prose)}
-    labels = (e.label or "" for b in step.body if isinstance(b, Display) for e in b.equations)
-    conserved = purposes & {Purpose.CONSERVED, Purpose.MOMENTUM} or any(
-        label.startswith("conserved") for label in labels
-    )
+    kinds = {e.kind for b in step.body if isinstance(b, Display) for e in b.equations}
+    conserved = purposes & {Purpose.CONSERVED, Purpose.MOMENTUM} or EquationKind.CONSERVED in kinds
     sentences = ["Which quantities does the motion conserve?"] if conserved else []
     sentences += [sentence for purpose, sentence in _OF_MEANING.items() if purpose in purposes]
     return (" ".join(sentences),) if sentences else ()

@@ -13,6 +13,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Matrices,
     Part,
     Rule,
@@ -131,7 +132,7 @@ def _equations(equations: LongEquations, solution: Solution) -> Step:
         )  # fmt: skip
         body.append(display(*(Equation((z, e)) for z, e in equations.definitions.items()), detail=Detail.FULL))
     lines = (
-        Equation((left, right), label=f"motion-{q.name}")
+        Equation((left, right), label=f"motion-{q.name}", kind=EquationKind.MOTION)
         for q, left, right in zip(slots.coordinates, equations.left, equations.right, strict=True)
     )
     body.append(display(*lines, detail=Detail.FULL if names else Detail.BRIEF))
@@ -241,4 +242,4 @@ def _matrices(block: LinearBlock) -> Sequence[Block]:
 
 
 def _line(e: sp.Expr, block: LinearBlock, n: int, k: int) -> Equation:
-    return Equation((e, sp.S.Zero), label=f"linear-{n}-{prime(block.coordinates[k]).name}")
+    return Equation((e, sp.S.Zero), label=f"linear-{n}-{prime(block.coordinates[k]).name}", kind=EquationKind.LINEAR)

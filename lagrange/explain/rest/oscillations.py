@@ -16,6 +16,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Matrices,
     Part,
     Phrase,
@@ -236,7 +237,7 @@ def explain_about(
                                                 " the equations of motion become"))  # fmt: skip
     hidden = s.judgement.stability.verdict is StabilityVerdict.UNSTABLE
     lines = [
-        Equation((e, ZERO), label=label_about_equilibrium(linearization, f"linear-{k}", n))
+        Equation((e, ZERO), label=label_about_equilibrium(linearization, f"linear-{k}", n), kind=EquationKind.LINEAR)
         for k, e in enumerate(s.equations, 1)
     ]
     yield display(*lines, boxed=not hidden, detail=Detail.STEPS if hidden else Detail.BRIEF)

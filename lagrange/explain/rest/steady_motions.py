@@ -17,6 +17,7 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    EquationKind,
     Part,
     Phrase,
     Purpose,
@@ -186,7 +187,10 @@ def _equations(forced: ForcedEquations) -> Iterator[Block]:
         prose("The drive is small of the same order. To first order the equations of motion are"),
     )  # fmt: skip
     yield display(
-        *(Equation(sides, label=_label(forced, f"forced-{n}")) for n, sides in enumerate(forced.sides, 1)),
+        *(
+            Equation(sides, label=_label(forced, f"forced-{n}"), kind=EquationKind.FORCED)
+            for n, sides in enumerate(forced.sides, 1)
+        ),
         boxed=True,
         detail=Detail.BRIEF,
     )
@@ -267,7 +271,7 @@ def _resonance(response: Response) -> Iterator[Block]:
             purpose=Purpose.RESONANCE,
         )
         lines = [
-            Equation(sides, label=_label(response.forced, f"resonance-{n}"))
+            Equation(sides, label=_label(response.forced, f"resonance-{n}"), kind=EquationKind.RESONANCE)
             for n, sides in enumerate(response.at_resonance)
         ]
         both = both_roots(response.resonances)

@@ -43,7 +43,7 @@ class Sense:
 
 
 def sense(solution: Solution, view: InCoordinates) -> Sense | None:
-    """Of one coordinate whose acceleration is constant while friction has a known sense."""
+    """The sense of the motion, if one coordinate has a constant acceleration while friction has a known sense."""
     motion, slots = view.dynamics, view.configuration.slots
     if motion is None or len(slots.coordinates) != 1 or len(motion.slips) != 1 or len(motion.equations.final) != 1:
         return None

@@ -28,7 +28,7 @@ class FirstLimit:
 
 
 def first_limit(rest: AtRest) -> FirstLimit | None:
-    """Of two conditions, one with the only coefficient of friction, which bound one load from above."""
+    """Which of two upper bounds of a load, one of them with the only coefficient of friction, is reached first."""
     coefficients = {c.coefficient for c in rest.contacts}
     if len(rest.cases) != 1 or len(rest.cases[0]) != 2 or len(coefficients) != 1:
         return None

@@ -154,7 +154,7 @@ def _changed(q: sp.Symbol, slow: sp.Expr, ripple: sp.Expr) -> Iterator[AtRestOnA
 
 
 def _places(q: sp.Symbol, *forces: sp.Expr) -> Iterator[sp.Expr]:
-    """Of 0 and π where all of these vanish; π only of an angle."""
+    """Those of 0 and π at which all of these vanish; π only for an angle."""
     angle = any(q in w.free_symbols for e in forces for w in e.atoms(sp.sin, sp.cos))
     for place in (sp.S.Zero, sp.pi) if angle else (sp.S.Zero,):
         values = [e.xreplace({q: place}) for e in forces]

@@ -181,7 +181,7 @@ def _is_closed(forces: tuple[Element, ...], configuration: Configuration, ring: 
 
 
 def _is_closed_across_jumps(forces: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> bool:
-    """The same where signs and moduli occur: −c sgn(x − y) and c sgn(x − y) are closed, c sgn y and 0 are not.
+    """Whether forces with signs and moduli are closed: −c sgn(x − y) and c sgn(x − y) are, c sgn y and 0 are not.
 
     The derivative of sgn u has 2 δ(u) u', whose coefficients must agree as well.
     """

@@ -432,7 +432,7 @@ def _equations(energies: Energies, elimination: Elimination, free: Iterable[Elem
 
 
 def _combined(energies: Energies, elimination: Elimination) -> tuple[EquationOfMotion, ...]:
-    """The same from Σ_k L_k δq_k = 0."""
+    """The equations of motion from Σ_k L_k δq_k = 0."""
     return _equations(energies, elimination, of_independent(energies.coefficients, energies.ring, elimination))
 
 

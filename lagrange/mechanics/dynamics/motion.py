@@ -245,10 +245,10 @@ def law_of_motion(
         used=tuple(r for n, r in enumerate(newton.reactions) if n not in elimination.unused),
         method=method,
     )
-    if at_rest or not law.frictions:
+    if not law.frictions:
         return law
     law = replace(law, rolling=rolling_contacts(law.frictions, newton, configuration))
-    if not law.frictions:
+    if at_rest or not law.frictions:
         return law
     # Friction needs the directions of the reactions, and Newton's law is to show friction: so it is set up twice.
     friction = symbolic_loads(friction_forces(law.frictions, newton, configuration, configuration))

@@ -128,7 +128,7 @@ def given_forces(configuration: Configuration) -> tuple[sp.Expr, ...]:
 
 
 def written_forces(configuration: Configuration) -> tuple[sp.Expr, ...]:
-    """The same in textbook form."""
+    """The given forces in textbook form."""
     return tuple(map(textbook_form, given_forces(configuration)))
 
 

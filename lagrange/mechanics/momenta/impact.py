@@ -490,7 +490,7 @@ def reactions_of(full: Configuration, problem: Problem, impact: Impact) -> Newto
 
 
 def _conditions(motion: ImpulsiveMotion) -> Iterator[Presupposition]:
-    """Of one-sided constraints: new ones are approached, and no impulse pulls. Raises ProblemError otherwise."""
+    """What one-sided constraints require: new ones are approached, and no impulse pulls. Raises ProblemError."""
     sides = {i.name: i.reaction.constraint.side for i in motion.impulses}
     spans = {i.name: i.reaction.constraint.span for i in motion.impulses}
     for impulse in motion.impulses:

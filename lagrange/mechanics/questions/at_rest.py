@@ -43,8 +43,8 @@ from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, virtual_work
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import rough_contacts
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+from lagrange.mechanics.equilibrium.friction.rough_contacts import rough_contacts
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import joined_conditions, settled
@@ -101,7 +101,8 @@ def law_of_rest(
     Raises ProblemError where friction at its limit may act in several senses, or was found in other coordinates.
     """
     if equilibrium is None and Find.IMPENDING not in problem.find and newton is not None:
-        contacts = rough_contacts(problem, newton, configuration, configuration)
+        touching = rough_contacts(problem, newton, configuration, configuration)
+        contacts = [c for c in touching if not c.keeping]  # of the others the reaction is in the balance already
         friction = [
             [f * row[k] for c in contacts for f, row in zip(c.components, c.generalized, strict=True)]
             for k in range(len(configuration.slots.coordinates))

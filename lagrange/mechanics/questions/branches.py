@@ -458,7 +458,7 @@ def _with_direction(b: AnswerBranch, beginning: InitialMotion) -> AnswerBranch:
 def _nearest(
     branches: Sequence[AnswerBranch], beginning: InitialMotion
 ) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
-    """Of several turning points in the direction of the start the nearest, and the others."""
+    """The nearest of several turning points in the direction of the start, and the others."""
     branches = list(branches)
     if len(branches) < 2 or not all(len(b.states) == 1 for b in branches):
         return branches, []

@@ -130,7 +130,7 @@ def taken_between_speeds(
 def number_between(
     q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]
 ) -> sp.Float | None:
-    """The same time in numbers, where all parameters have values; None if one is missing, or it is not accurate.
+    """The time in numbers, where all parameters have values; None if one is missing, or it is not accurate.
 
     A motion that begins or ends at rest has a singularity 1/√x there, which this rule (tanh-sinh) integrates.
     """

@@ -251,7 +251,7 @@ def with_senses(
     values: SymbolValues,
     frictions: Sequence[Friction] = (),
 ) -> Meanings:
-    """The same for the sense in which the motion starts, where |q'| or the sign of q' occurs: c |q'| q' is c q'^2.
+    """The meanings once the sense of the start is known, where |q'| or the sign of q' occurs: c |q'| q' is c q'^2.
 
     From rest the motion starts in the direction of the acceleration, if that is against friction in this direction.
 

@@ -41,7 +41,7 @@ def with_factor(e: sp.Expr, factor: sp.Expr) -> sp.Expr:
 
 
 def vector_with_factor(v: Vector, factor: sp.Expr) -> sp.Expr:
-    """The same for a vector, as a sum of its components."""
+    """The common factor of a vector, as of a sum of its components."""
     return factor * v.map(lambda c: sp.expand(c / factor)).as_sum()
 
 

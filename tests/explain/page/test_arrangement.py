@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.document.derivation import Detail, Display, Rule
+from lagrange.document.derivation import Detail, Display, Rule, Step
+from lagrange.explain.page import arrangement
 from lagrange.explain.report import EVERY_CHOICE, Report, report
 from lagrange.problem.loader import load
 from lagrange.render import html, latex, markdown, terminal
@@ -92,3 +93,18 @@ def test_what_reactions_are_and_their_work_are_one_paragraph() -> None:
         terminal.text(r.derivation, r.notation, 80).split("The reaction does no")[1].split("Alembert")[0].split()
     )
     assert "an unknown multiplier S. In a virtual displacement the reaction does the work" in printed
+
+
+def test_every_pass_over_the_page_has_a_place_and_a_reason() -> None:
+    passes = (*arrangement._SHORTENING, *arrangement._FINISHING)
+    assert len({reason for _, reason in passes}) == len(passes)
+    assert all(reason for _, reason in passes)
+
+
+def test_passes_are_taken_in_their_order() -> None:
+    solution = reported("ex11-ideal-pendulum", complete=False).solution
+    first = (lambda _, steps: steps[:1], "only the first")
+    second = (lambda _, steps: [*steps, *steps], "then twice")
+    step = Step(Rule.RESULT, "", ())
+    assert arrangement._through((first, second), solution, [step, step]) == [step, step]
+    assert arrangement._through((second, first), solution, [step, step]) == [step]

@@ -14,6 +14,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Phrase,
     Prose,
     Purpose,
@@ -121,14 +122,19 @@ def test_what_earlier_questions_found_is_recalled_in_one_sentence() -> None:
 
 
 def test_short_lines_of_one_kind_are_paired_unless_something_refers_to_the_second() -> None:
-    a, b = (Equation((VectorSymbol(f"F_{n}"), x * UnitVector("i")), label=f"force-{n}") for n in "AB")
+    a, b = (
+        Equation((VectorSymbol(f"F_{n}"), x * UnitVector("i")), label=f"force-{n}", kind=EquationKind.FORCE)
+        for n in "AB"
+    )
     [paired] = in_pairs([step(display(a, b))])
     [block] = paired.body
     assert isinstance(block, Display)
     assert [e.label for e in block.equations] == ["force-A"]
     kept = [step(display(a, b)), step(prose("By ", Ref("force-B")))]
     assert [*in_pairs(kept)] == kept
-    long = Equation((VectorSymbol("F_B"), Vector((x * y + z, x * y - z, x + y))), label="force-B")
+    long = Equation(
+        (VectorSymbol("F_B"), Vector((x * y + z, x * y - z, x + y))), label="force-B", kind=EquationKind.FORCE
+    )
     assert [*in_pairs([step(display(a, long))])] == [step(display(a, long))]
 
 
@@ -194,7 +200,7 @@ def test_what_the_reaction_is_a_question_does_not_display_again() -> None:
 
 def test_accelerations_that_a_choice_leaves_as_they_are_stand_once() -> None:
     def kinematics(label: str) -> Step:
-        line = Equation((VectorSymbol("r''"), x), label=label)
+        line = Equation((VectorSymbol("r''"), x), label=label, kind=EquationKind.ACCELERATION)
         return step(prose("The acceleration is", purpose=Purpose.KINEMATICS), display(line))
 
     first, second = said_before([kinematics("acceleration-P"), kinematics("acceleration-choice-P")])

@@ -382,3 +382,41 @@ def test_a_symmetric_position_stands_for_long_equations_at_the_head() -> None:
     lines = box_of(ROPE)
     assert "y = a W/√(4P² − W²)" in lines
     assert any("where 2P > W; stable; others, if any, are not solved in closed form" in line for line in lines)
+
+
+SKATE = """title: Skate held by a spring
+parameters: [m, c, J]
+coordinates: [x, y, theta]
+bodies:
+  skate: {mass: m, inertia: J, position: x*i + y*j, angle: theta}
+constraints: {blade: "x'*sin(theta) - y'*cos(theta) = 0"}
+forces: {s: {potential: "c*x^2/2"}}
+find: equilibrium
+"""
+
+
+def test_positions_of_different_coordinates_are_alternatives() -> None:
+    """`theta = pi/2` above `x = 0` would read as one position."""
+    lines = dict(result_at_rest(lagrange.solve(lagrange.loads(SKATE)).solution.own, {}, None))
+    assert [e.condition for e in lines[Rule.EQUILIBRIUM]] == [("or",), ("or",), ()]
+
+
+def test_what_is_found_in_numbers_exists() -> None:
+    """`Whether there is one is left open` does not stand above a table of four."""
+    made = report(lagrange.loads(FOUR_BAR))
+    page = terminal.text(made.derivation, made.notation, 120)
+    assert "The conditions have 4 solutions" in page
+    assert "left open" not in page
+
+
+FOUR_BAR = """title: Four-bar linkage
+coordinates: [alpha, beta, gamma]
+particles:
+  Q: {mass: 1, position: cos(alpha)*i + sin(alpha)*j}
+  R: {mass: 1, position: "cos(alpha)*i + sin(alpha)*j + 2*cos(beta)*i + 2*sin(beta)*j"}
+constraints:
+  cx: cos(alpha) + 2*cos(beta) - 1.5*cos(gamma) = 2
+  cy: sin(alpha) + 2*sin(beta) - 1.5*sin(gamma) = 0
+gravity: -9.81*j
+find: equilibrium
+"""

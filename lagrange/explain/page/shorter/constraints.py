@@ -35,6 +35,7 @@ from lagrange.document.derivation import (
     Display,
     Emphasis,
     Equation,
+    EquationKind,
     Math,
     Part,
     Phrase,
@@ -193,19 +194,20 @@ def _conclusions(classification: Classification) -> list[Prose]:
 def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps, without a list of conditions on virtual displacements that repeats the forms."""
     at = next((n for n, s in enumerate(steps) if s.rule is Rule.DISPLACEMENTS and not s.folded and not s.choice), None)
-    labels = [] if at is None else _repeated(steps, steps[at], [*steps[at + 1 :]])
+    names = [] if at is None else _repeated(steps, steps[at], [*steps[at + 1 :]])
     before = {e.label: n for n, s in enumerate(steps[:at]) for e in _equations(s) if not s.folded}
-    forms = [f"form-{name}" for name in labels]
-    if any(form not in before for form in forms):
-        forms = [f"constraint-{name}" for name in labels]  # on velocities, as they stand
-    if at is None or not labels or any(form not in before for form in forms):
+    forms = [f"form-{name}" for name in names]
+    on_velocities = any(form not in before for form in forms)
+    if on_velocities:
+        forms = [f"constraint-{name}" for name in names]  # as they stand
+    if at is None or not names or any(form not in before for form in forms):
         yield from steps
         return
-    rule = {f"virtual-{name}": form for name, form in zip(labels, forms, strict=True)}
+    rule = {f"virtual-{name}": form for name, form in zip(names, forms, strict=True)}
     last = max(before[form] for form in forms)
     shown = {e.label: e for s in steps[:at] for e in _equations(s)}
     how = ", with δ in place of d:"
-    if not forms[0].startswith("form-"):
+    if on_velocities:
         plain = all(shown[form].sides[-1] == 0 for form in forms)
         how = how.replace("d:", "d/dt:") if plain else ", the right sides taken to the left, and δ in place of d/dt:"
     for n, step in enumerate(steps):
@@ -221,12 +223,11 @@ def _repeated(steps: Sequence[Step], step: Step, after: Sequence[Step]) -> list[
     first, shown, *rest = step.body
     if not has_purpose(first, Purpose.TIMELESS) or not isinstance(shown, Display):
         return []
-    labels = [e.label or "" for e in shown.equations]
-    if not labels or not all(label.startswith("virtual-") for label in labels):
+    if not shown.equations or not shown.is_of(EquationKind.VIRTUAL):
         return []
     if rest and not (_are_used_later(after) and not _referred(rest, steps)):
         return []
-    return [label.removeprefix("virtual-") for label in labels]
+    return [e.about for e in shown.equations]
 
 
 def _are_used_later(after: Sequence[Step]) -> bool:
@@ -237,7 +238,7 @@ def _are_used_later(after: Sequence[Step]) -> bool:
 
 
 def _is_delta(e: Equation) -> bool:
-    return (e.label or "").startswith("delta")
+    return e.kind is EquationKind.DELTA
 
 
 def _referred(blocks: Sequence[Block], steps: Sequence[Step]) -> bool:
@@ -371,7 +372,7 @@ def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
         return body
     [line, *more] = written.equations
     used = any(p.label == line.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
-    turning = any((e.label or "").startswith("rotation") for b in body if isinstance(b, Display) for e in b.equations)
+    turning = any(e.kind is EquationKind.ROTATION for b in body if isinstance(b, Display) for e in b.equations)
     longest = LONGEST_PRINCIPLE_OF_BODIES if turning else LONGEST_PRINCIPLE
     if more or used or line.operations <= longest or not isinstance(vanish, Prose):
         return body
@@ -391,7 +392,7 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
         return body
     shown = [b for n in places if isinstance(b := body[n], Display)]
     kinds = [_kind(b) for b in shown]
-    if kinds not in (["acceleration", "delta", "rotation"], ["acceleration", "rotation"]):
+    if kinds not in (_KINEMATICS, [_KINEMATICS[0], _KINEMATICS[-1]]):
         return body
     lines = [e for b in shown for e in b.equations]
     if not all(_is_vector(e) for e in lines):
@@ -422,14 +423,16 @@ def _subject(lead: Block) -> str:
     return subject.instead
 
 
-def _kind(block: Display) -> str:
-    label = block.equations[0].label or ""
-    return "acceleration" if label.startswith("momentum-rate") else label.partition("-")[0]
+_KINEMATICS = [EquationKind.ACCELERATION, EquationKind.DELTA, EquationKind.ROTATION]
+
+
+def _kind(block: Display) -> EquationKind | None:
+    kind = block.equations[0].kind
+    return EquationKind.ACCELERATION if kind is EquationKind.MOMENTUM_RATE else kind
 
 
 def _is_kinematic(block: Display) -> bool:
-    starts = ("acceleration", "momentum-rate", "delta", "rotation")
-    return all((e.label or "").startswith(starts) for e in block.equations)
+    return block.is_of(*_KINEMATICS, EquationKind.MOMENTUM_RATE)
 
 
 def _is_vector(e: Equation) -> bool:

@@ -26,6 +26,7 @@ from lagrange.document.derivation import (
     Detail,
     Display,
     Equation,
+    EquationKind,
     Math,
     Mathematics,
     Part,
@@ -86,7 +87,7 @@ def _at(rule: dict[sp.Symbol, sp.Expr], block: Block) -> Block:
 
 
 def _held_line(rule: dict[sp.Symbol, sp.Expr], e: Equation) -> Equation:
-    if len(e.sides) < 2 or (e.label or "").startswith("position"):  # positions are shown as the file has them
+    if len(e.sides) < 2 or e.kind is EquationKind.POSITION:  # positions are shown as the file has them
         return e
     return replace(e, sides=tuple(_held_value(rule, s) for s in e.sides))
 
@@ -173,7 +174,7 @@ def _block(rule: Mapping[sp.Symbol, sp.Expr], block: Block) -> Iterator[Block]:
 def _line(rule: Mapping[sp.Symbol, sp.Expr], e: Equation) -> Equation:
     condition = _without_trivial([_part(rule, p) for p in e.condition])
     sides = _sides(rule, e.sides)
-    if (e.label or "").startswith("energy-rate") and isinstance(sides[0], sp.Expr):
+    if e.kind is EquationKind.ENERGY_RATE and isinstance(sides[0], sp.Expr):
         sides = (_without_constants_below(sides[0]), *sides[1:])
     return replace(e, sides=sides, condition=condition if any(map(_says_something, condition)) else ())
 

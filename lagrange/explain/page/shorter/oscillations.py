@@ -22,6 +22,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Phrase,
     Purpose,
     Ref,
@@ -80,7 +81,7 @@ def _with_alternatives(body: Sequence[Block]) -> Iterator[Block]:
 
 def _is_linear(block: Block) -> bool:
     """Whether it has the linear equations about one place."""
-    return isinstance(block, Display) and all((e.label or "").startswith("linear-") for e in block.equations)
+    return isinstance(block, Display) and block.is_of(EquationKind.LINEAR)
 
 
 def _is_box(block: Block) -> bool:
@@ -108,7 +109,7 @@ def _with_own_equations(solution: Solution, body: list[Block], steps: Sequence[S
     coordinates = linear.configuration.slots.coordinates
     at_zero = {r.lhs: r.rhs for r in branch.equations} == dict.fromkeys(coordinates, sp.S.Zero)
     moved = dict(zip(linear.displacements, coordinates, strict=True))
-    at = next((n for n, b in enumerate(body) if _are_labelled(b, "forced-")), None)
+    at = next((n for n, b in enumerate(body) if isinstance(b, Display) and b.is_of(EquationKind.FORCED)), None)
     if at is None or not at_zero or len(linear.branches) != 1 or not _are_those(solution, body[at], moved):
         return body
     labels = [e.label for s in steps if s.rule is Rule.EQUATIONS_OF_MOTION for e in _boxed(s) if e.label]
@@ -133,13 +134,9 @@ def _boxed(step: Step) -> Iterator[Equation]:
     yield from (e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations)
 
 
-def _are_labelled(block: Block, label: str) -> bool:
-    return isinstance(block, Display) and all((e.label or "").startswith(label) for e in block.equations)
-
-
 def _with_roots(body: list[Block]) -> list[Block]:
     """`The denominator Δ vanishes at ..., at the roots of Δ = 0` instead of long roots."""
-    at = next((n for n, b in enumerate(body) if _are_labelled(b, "resonance-")), None)
+    at = next((n for n, b in enumerate(body) if isinstance(b, Display) and b.is_of(EquationKind.RESONANCE)), None)
     letter = next((e.sides[0] for b in body[:at] if isinstance(b, Display) and b.boxed
                    for e in b.equations if e.label is None and isinstance(e.sides[0], sp.Symbol)), None)  # fmt: skip
     before = body[at - 1] if at else None

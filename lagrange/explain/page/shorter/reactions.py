@@ -39,6 +39,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Math,
     Mathematics,
     Part,
@@ -67,9 +68,6 @@ from lagrange.mechanics.rewriting.vectors import (
     unit_directions,
     where_constant,
 )
-
-LABEL = "along-axes"
-"""How the labels of these lines begin."""
 
 
 def with_sums_along_axes(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -102,7 +100,14 @@ def _sums(solution: Solution, body: FreeBody, values: Mapping[object, object]) -
     for letter, called, terms in kinds if not (body.reactions and body.moments) else kinds[:1]:
         shares = [(where_constant(solution, g), value) for g, value in _shares(terms, values)]
         if len(shares) == len(terms) > 1 and (total := sum_along_axes(shares, turning_axes(solution))) is not None:
-            yield called, Equation((VectorSymbol(f"{letter}_{body.name}"), total), label=f"{LABEL}-{letter}")
+            yield (
+                called,
+                Equation(
+                    (VectorSymbol(f"{letter}_{body.name}"), total),
+                    label=f"along-axes-{letter}",
+                    kind=EquationKind.SUM_ALONG_AXES,
+                ),
+            )
 
 
 def _shares(

@@ -24,6 +24,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Math,
     Mathematics,
     Phrase,
@@ -110,7 +111,7 @@ def _are_steps(block: Display, referred: Collection[str]) -> bool:
 def _is_step(e: Equation) -> bool:
     name = e.sides[0].name if isinstance(e.sides[0], sp.Symbol) else ""
     plain = len(e.sides) == 2 and not e.condition and e.relation == "="
-    return plain and ((e.label or "").startswith("choice-") or (e.label is None and name.startswith(("delta(", "d("))))
+    return plain and (e.kind is EquationKind.CHOICE or (e.label is None and name.startswith(("delta(", "d("))))
 
 
 def _in_pairs(equations: Sequence[Equation]) -> Iterator[Equation]:

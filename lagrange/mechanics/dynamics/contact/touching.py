@@ -71,7 +71,7 @@ def partials_at(configuration: Configuration, name: str, place: Vector) -> list[
 
 
 def relative_partials(configuration: Configuration, on: str, opposite: str, place: Vector) -> list[Vector]:
-    """The same for one body relative to the other; `opposite` is empty for what does not move."""
+    """The derivatives for one body relative to the other; `opposite` is empty for what does not move."""
     own = partials_at(configuration, on, place)
     if not opposite:
         return own
@@ -90,19 +90,23 @@ def named_beside(constraint: Constraint, name: str, configuration: Configuration
     return [other for other in moving if other != name and other in positions]
 
 
-def acts_at(reaction: Reaction, on: str, opposite: str, place: Vector, original: Configuration) -> bool | None:
+def acts_at(
+    reaction: Reaction, on: str, opposite: str, place: Vector, original: Configuration, *, anywhere: bool = False
+) -> bool | None:
     """Whether a reaction is one force at a place of one body, and its opposite on the other; None: undecided.
 
     original  the file's coordinates
+    anywhere  in any position at all, and not only in those that the constraints admit
     """
     direction = reaction.on(on)
     if direction is None:
         return False
+    vanishes = is_zero if anywhere else original.states.is_zero
     force = direction.fixed()
     coefficients = without_root(reaction.row, original.slots).coefficients
     undecided = False
     for a, moved in zip(coefficients, relative_partials(original, on, opposite, place), strict=True):
-        same = original.states.is_zero(a - force.dot(moved))
+        same = vanishes(a - force.dot(moved))
         if same is False:
             return False
         undecided = undecided or same is None

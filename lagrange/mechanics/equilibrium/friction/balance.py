@@ -65,6 +65,7 @@ class RoughContact:
     sign         of that unknown, +1 or −1; None if it is not known
     also         the other reactions on the same particle, if N is the size of their resultant
     units        in this case, of each of them: the force in which it is written, and the reaction for 1 of that
+    keeping      the reactions that keep the contact from slipping: F stands for them
     """
 
     friction: Friction
@@ -79,6 +80,7 @@ class RoughContact:
     sign: int | None
     also: tuple[Reaction, ...] = ()
     units: tuple[tuple[sp.Symbol, Vector], ...] = ()
+    keeping: tuple[Reaction, ...] = ()
 
     @property
     def name(self) -> str:

@@ -20,7 +20,7 @@ tried.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from itertools import islice, permutations, product
 
@@ -30,12 +30,9 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.effort import GivenUpError, allowed_for_a_search
 from lagrange.core.records import all_hold, record
-from lagrange.core.symbols import without_known_magnitudes
-from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root
-from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rough_reaction, unit_toward, unpressed
+from lagrange.mechanics.dynamics.friction import unpressed
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
@@ -73,16 +70,16 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     solvable,
 )
 from lagrange.mechanics.equilibrium.friction.open_force import always, bounds_of
+from lagrange.mechanics.equilibrium.friction.rough_contacts import rough_contacts, without_keeping
 from lagrange.mechanics.equilibrium.limits import (
     CONTACTS_OF_LIMITS,
     MOST_CASES,
     MOST_ORDERS,
-    MOST_ROUGH_CONTACTS,
     UNITS_OF_REST,
 )
 from lagrange.mechanics.equilibrium.loads import load_parameters
 from lagrange.problem.keys import Find
-from lagrange.problem.model import Friction, Problem
+from lagrange.problem.model import Problem
 
 Pair = tuple[sp.Expr, sp.Expr]
 
@@ -178,96 +175,6 @@ def _relation(e: sp.Expr, coordinates: set[sp.Symbol]) -> Pair:
     return reduced, sp.S.Zero
 
 
-def rough_contacts(
-    problem: Problem, newton: Newton, original: Configuration, configuration: Configuration
-) -> tuple[RoughContact, ...]:
-    """The contacts with static friction. Raises ProblemError, NotCoveredError."""
-    frictions = each_contact_once(f for f in problem.forces if isinstance(f, Friction))
-    if len(frictions) > MOST_ROUGH_CONTACTS:
-        raise NotCoveredError(f"friction at rest in more than {MOST_ROUGH_CONTACTS} contacts", frictions[-1].span)
-    taken = {*problem.scope.names(), *(r.force.name for r in newton.reactions)}
-    return tuple(_contact(f, frictions, newton, original, configuration, taken) for f in frictions)
-
-
-def each_contact_once(frictions: Iterable[Friction]) -> list[Friction]:
-    """The frictions without the opposite ones, where each of the two that touch has an entry of its own."""
-    kept: list[Friction] = []
-    for f in frictions:
-        own = next((k for k in kept if k.constraint == f.constraint and k.on != f.on and k.static == f.static), None)
-        if own is None:
-            kept.append(f)
-    return kept
-
-
-def _contact(
-    friction: Friction,
-    frictions: Sequence[Friction],
-    newton: Newton,
-    original: Configuration,
-    configuration: Configuration,
-    taken: set[str],
-) -> RoughContact:
-    rule = configuration.substitution
-    reaction, opposite, place = rough_contact(friction, frictions, newton, original)
-    others = [f for f in frictions if f is not friction and f.constraint == friction.constraint]
-    if others:
-        what = f"friction at rest of `{friction.name}` and `{others[0].name}` on one constraint"
-        raise NotCoveredError(what, friction.span)
-    moved = [p.xreplace(rule) for p in relative_partials(original, friction.on, opposite, place)]
-    direction = reaction.on(friction.on)
-    assert direction is not None
-    normal = direction.xreplace(rule).fixed()
-    tangents = _tangents(friction, normal, moved, configuration)
-    letters = ("",) if len(tangents) == 1 else ("_x", "_y", "_z")
-    components = []
-    for letter in letters:
-        name = f"F_{friction.name}{letter}"
-        while name in taken:
-            name += "_"
-        components.append(sp.Symbol(name, real=True))
-    side = reaction.constraint.side
-    sign = friction.contact if side is None else 1 if reaction.named else side
-    assert friction.static is not None
-    also = tuple(rough_reaction(replace(friction, constraint=name), newton, original) for name in friction.also)
-    units = [(r.force, r.per_unit(friction.on)) for r in (reaction, *also)] if also else []
-    size = sp.S.One if reaction.named else normal_size(direction.xreplace(rule), reaction, configuration)
-    return RoughContact(
-        friction,
-        reaction,
-        opposite,
-        place.xreplace(rule),
-        friction.static.xreplace(rule),
-        size,
-        tangents,
-        tuple(components),
-        tuple(tuple(shortest(t.dot(p)) for p in moved) for t in tangents),
-        sign,
-        also,
-        tuple((force, unit.xreplace(rule)) for force, unit in units if unit is not None),
-    )
-
-
-def _tangents(
-    friction: Friction, normal: Vector, moved: Sequence[Vector], configuration: Configuration
-) -> tuple[Vector, ...]:
-    """The unit vector of the friction if all displacements are in a plane; otherwise i, j, k."""
-    if friction.toward is not None:
-        against = -unit_toward(friction, normal, configuration)
-    units = [Vector(tuple(sp.Integer(n == k) for n in range(3)), normal.triad) for k in range(3)]
-    flat = [u for u in units if all(_vanishes(u.dot(p), configuration) for p in (*moved, normal))]
-    if not flat:
-        return tuple(units)
-    if friction.toward is not None:
-        return (against,)
-    along = normal.cross(flat[-1])
-    length = without_known_magnitudes(sp.sqrt(shortest(along.dot(along))))
-    return ((along / length).map(shortest),)
-
-
-def _vanishes(e: sp.Expr, configuration: Configuration) -> bool:
-    return e == 0 or configuration.surface.is_zero(e) is True
-
-
 def rest_with_friction(
     problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
 ) -> AtRest:
@@ -295,7 +202,7 @@ def rest_with_friction(
 
 
 def _least_demanding(positions: Sequence[AtRest], signs: Signs) -> AtRest:
-    """Of several positions the one in which the system can be at rest wherever it can be in another one.
+    """The position in which the system can be at rest whenever it can be in any of the others.
 
     Raises NotCoveredError if there is none.
     """
@@ -320,7 +227,7 @@ def _at_rest(
     position: Mapping[sp.Symbol, sp.Expr],
     only: bool,
 ) -> AtRest:
-    """The same in one position, with conditions about these unknown forces; the others are eliminated.
+    """Where the system can be at rest in one position, as conditions on these unknown forces; others are eliminated.
 
     only  whether it is the only position
     """
@@ -329,6 +236,7 @@ def _at_rest(
     moving = {*configuration.slots.coordinates}
     shifted = any(not v.free_symbols.isdisjoint(moving) for v in position.values())
     touching = rough_contacts(problem, newton, original, configuration)
+    newton = without_keeping(newton, touching)
     belts = belt_laws(problem, newton, configuration)
 
     def balanced(position: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[RoughContact, ...], ForceBalance]:

@@ -62,8 +62,8 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     solved_for_exponent,
     value_of_letter,
 )
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import each_contact_once, rough_contacts
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.friction.rough_contacts import each_contact_once, rough_contacts
 from lagrange.problem.model import Friction, Problem
 
 GIVEN_AS_A_RULE = "WwMmg"
@@ -136,6 +136,10 @@ def impending_motions(
             "impending motion with redundant constraints, which share their reactions in no known way"
         )
     contacts = rough_contacts(problem, newton, statics.original, configuration)
+    rolling = next((c for c in contacts if c.keeping), None)
+    if rolling is not None:
+        what = f"impending slip where the constraint `{rolling.keeping[0].name}` keeps what touches from slipping,"
+        raise NotCoveredError(what, rolling.friction.span, cure="leave that constraint out, or `find: equilibrium`")
     belts = belt_laws(problem, newton, configuration)
     spatial = [c for c in contacts if len(c.components) > 1]
     if spatial:

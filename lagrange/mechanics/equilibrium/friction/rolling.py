@@ -5,12 +5,13 @@ reaction of these constraints. It is that of a contact at rest, so that
 
     |F| ≤ μ_s |N| ,
 
-F being the sum of the reactions at the point of contact except N, the normal one.
+F being the sum of the reactions at the point of contact except N, the normal one. So it is at rest as well: a
+hemisphere on a rough slope is in equilibrium as one that cannot slip, and stays there if |F| ≤ μ_s |N|.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import field
 
 import sympy as sp
@@ -20,12 +21,14 @@ from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.contact.touching import acts_at
 from lagrange.mechanics.dynamics.friction import normal_size, rough_contact
-from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
+from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, bounded_by
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.friction.rough_contacts import keeping_from_slip
+from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 from lagrange.problem.model import Friction, Problem
 
 
@@ -73,9 +76,31 @@ class Rolling:
         return {c.friction.name: (c.size,) for c in self.contacts}
 
 
-def rolling(problem: Problem, law: NewtonLaw, motion: Motion, configuration: Configuration) -> Rolling | None:
+def nothing_slips(law: NewtonLaw) -> bool:
+    """Whether constraints keep every rough contact from slipping, so that friction is their reaction."""
+    own = law.configuration
+    return not law.frictions and all(keeping_from_slip(f, law.rolling, law.newton, own) for f in law.rolling)
+
+
+def rolling_at_rest(law: NewtonLaw, resting: StaticReactions | None) -> Rolling:
+    """The conditions under which nothing slips at rest.
+
+    Raises NotCoveredError if the equilibria do not share them, or reactions are not determined.
+    """
+    configuration = law.configuration if resting is None else resting.configuration
+    reactions = () if resting is None else (None if there is None else there.reactions for there in resting.at)
+    found = [rolling(law.problem, law, r, configuration) for r in reactions]
+    first = found[0] if found else None
+    if first is None or any(r is None or r.cases != first.cases for r in found):
+        what = "friction at rest that is not determined, or differs from one equilibrium to another,"
+        raise NotCoveredError(what, law.rolling[0].span)
+    return first
+
+
+def rolling(
+    problem: Problem, law: NewtonLaw, reactions: Reactions | None, configuration: Configuration
+) -> Rolling | None:
     """The conditions under which the contacts that roll do not slip; None if none rolls, or reactions are omitted."""
-    reactions = motion.reactions
     if not law.rolling or reactions is None:
         return None
     signs = Signs({p.symbol for p in problem.parameters})
@@ -116,16 +141,10 @@ def configuration_vector(vector: Vector, configuration: Configuration) -> Vector
 
 def _keeping(friction: Friction, law: NewtonLaw) -> tuple[Reaction, tuple[Reaction, ...]]:
     """The normal reaction, and the reactions that keep the point of contact from slipping."""
-    original = law.configuration
-    normal, _, place = rough_contact(friction, law.all_frictions, law.newton, original)
-    keeping: Sequence[Reaction] = [
-        r
-        for r in law.newton.reactions
-        if r is not normal
-        and r.on(friction.on) is not None
-        and acts_at(r, friction.on, next((n for n in r.acts_on if n != friction.on), ""), place, original)
-    ]
+    original, frictions = law.configuration, law.all_frictions
+    normal, _, _ = rough_contact(friction, frictions, law.newton, original)
+    keeping = keeping_from_slip(friction, frictions, law.newton, original)
     if not keeping:
         what = f"the friction `{friction.name}`, whose point does not slip although no constraint holds it,"
         raise NotCoveredError(what, friction.span)
-    return normal, tuple(keeping)
+    return normal, keeping

@@ -15,6 +15,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Phrase,
     Prose,
     Purpose,
@@ -64,7 +65,7 @@ def test_the_relation_of_rolling_is_in_the_section_and_right(name: str) -> None:
 
 x, y = sp.symbols("x y", real=True)
 FORMS = display(Equation((differential(x), sp.S.Zero), label="form-floor"))
-VIRTUAL = display(Equation((variation(x), sp.S.Zero), label="virtual-floor"))
+VIRTUAL = display(Equation((variation(x), sp.S.Zero), label="virtual-floor", kind=EquationKind.VIRTUAL, about="floor"))
 BEGINS = prose("Time does not appear in ", Ref("form-floor"), ": virtual displacements satisfy it too,",
                purpose=Purpose.TIMELESS)  # fmt: skip
 CONSTRAINT = Step(Rule.CONSTRAINT, "The constraint", (FORMS, prose("It has one degree of freedom.")))
@@ -87,7 +88,7 @@ def test_the_list_stays_where_displacements_are_solved_and_needed() -> None:
     solved = (prose("Solving for δx gives"), display(Equation((variation(x), variation(y)))))
     steps = [CONSTRAINT, Step(Rule.DISPLACEMENTS, "", (BEGINS, VIRTUAL, *solved)), WORK]
     assert [*with_one_list(steps)] == steps
-    again = display(Equation((x, y), label="delta-choice-P"))
+    again = display(Equation((x, y), label="delta-choice-P", kind=EquationKind.DELTA))
     later = Step(Rule.EQUATIONS_OF_MOTION, "", (again,), choice="choice")
     assert len([*with_one_list([*steps, later])]) == len(steps)  # there they follow once more
 
@@ -160,8 +161,12 @@ def test_a_long_principle_is_not_written_before_its_brackets() -> None:
 
 
 def test_what_a_body_needs_in_one_display_and_what_was_shown_by_its_number() -> None:
-    rate = Equation((VectorSymbol("H_disc'"), VectorSymbol("k")), label="momentum-rate-along-disc")
-    turned = Equation((VectorSymbol("delta(pi_disc)"), VectorSymbol("k")), label="rotation-along-disc")
+    rate = Equation(
+        (VectorSymbol("H_disc'"), VectorSymbol("k")), label="momentum-rate-along-disc", kind=EquationKind.MOMENTUM_RATE
+    )
+    turned = Equation(
+        (VectorSymbol("delta(pi_disc)"), VectorSymbol("k")), label="rotation-along-disc", kind=EquationKind.ROTATION
+    )
     rates = "the rate of change of the angular momentum"
     blocks = (
         prose(Phrase("", Purpose.SUBJECT, rates), " is", purpose=Purpose.KINEMATICS),
@@ -174,7 +179,11 @@ def test_what_a_body_needs_in_one_display_and_what_was_shown_by_its_number() -> 
     assert shown.equations == (rate, turned)
     assert isinstance(words, Prose)
     assert "The rate of change of the angular momentum and, formed like" in str(words.parts[0])
-    before = Step(Rule.REACTIONS, "", (display(Equation(rate.sides, label="momentum-rate-disc")),))
+    before = Step(
+        Rule.REACTIONS,
+        "",
+        (display(Equation(rate.sides, label="momentum-rate-disc", kind=EquationKind.MOMENTUM_RATE)),),
+    )
     words, shown = said(*blocks, before=(before,))
     assert isinstance(words, Prose)
     assert Ref("momentum-rate-disc") in words.parts

@@ -13,6 +13,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Phrase,
     Prose,
     Purpose,
@@ -26,7 +27,7 @@ from lagrange.explain.page.shorter.oscillations import in_one_box
 from tests.support.shared import reported
 
 xi, omega, k = sp.symbols("xi omega k", positive=True)
-LINEAR = display(Equation((prime(xi, 2) + k * xi, sp.S.Zero), label="linear-1-1"), boxed=True)
+LINEAR = display(Equation((prime(xi, 2) + k * xi, sp.S.Zero), label="linear-1-1", kind=EquationKind.LINEAR), boxed=True)
 WAVE = ("cos(", math(omega), ")")
 SQUARE = display(Equation((omega**2, k), label="omega-1"), boxed=True)
 

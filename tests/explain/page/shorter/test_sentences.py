@@ -17,6 +17,7 @@ from lagrange.document.derivation import (
     Block,
     Display,
     Equation,
+    EquationKind,
     Math,
     Phrase,
     Prose,
@@ -40,7 +41,7 @@ def said(*blocks: Block) -> tuple[Block, ...]:
 
 
 def placed(*names: sp.Symbol) -> Display:
-    return display(*(Equation((q, l), label=f"choice-angle-{q.name}") for q in names))
+    return display(*(Equation((q, l), label=f"choice-angle-{q.name}", kind=EquationKind.CHOICE) for q in names))
 
 
 def test_coordinates_of_one_point_stand_side_by_side() -> None:
