@@ -321,7 +321,7 @@ def _after_sentence(text: str, end: int, known: Callable[[str], bool]) -> int:
     if not prose:
         return 0
     verb = _AFTER_VERB.search(text, 0, end)
-    if verb and _is_prose(verb["verb"], known):
+    if verb and is_prose(verb["verb"], known):
         return verb.end("verb")
     cuts = [stop for start, stop in _joints(text, 0, end) if prose[0] <= start and stop > prose[-1]]
     rest = text[cuts[-1] : end].strip() if cuts else ""
