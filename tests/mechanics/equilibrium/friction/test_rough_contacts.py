@@ -156,3 +156,28 @@ def test_an_unknown_force_of_a_string_pulls(problem: Read) -> None:
     assert answer.verdict.value == "equivalent"
     assert solution.own.at_rest is not None
     assert [len(case) for case in solution.own.at_rest.cases] == [1]
+
+
+BEAM = """title: A beam on rough ground that leans on a smooth rail
+parameters: [m, g, a, h, mu]
+coordinates: [x, y, theta]
+bodies: {beam: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  ground: {equation: y >= a*sin(theta), reaction: R}
+  rail: {equation: "(y - h)*cos(theta) - x*sin(theta) >= 0", reaction: N}
+gravity: -g*j
+forces: {rub: {friction: mu, static: mu, constraint: ground, on: beam, at: r_beam - a*e1_beam, slip: -i}}
+find: impending
+"""
+
+
+def test_a_limit_that_is_no_angle_in_closed_form_is_a_coefficient(problem: Read) -> None:
+    """N = m g a sin θ cos θ/h (a cos θ arm), F = N sin θ, R = m g − N cos θ: μ = F/R."""
+    motions = solve(problem(BEAM)).own.impending
+    assert motions is not None
+    [b] = motions[0].equilibrium.branches
+    [limit] = [r for r in b.relations if r.lhs.name == "mu"]
+    numbers = {"a": 1.5, "h": 1, "theta": sp.pi / 6}
+    value = limit.rhs.xreplace({s: numbers[s.name] for s in limit.rhs.free_symbols}).evalf()
+    assert abs(value - 3 * sp.sqrt(3) / 7) < 1e-9
+    assert not b.left
