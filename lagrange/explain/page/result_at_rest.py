@@ -135,8 +135,10 @@ def _equilibria(
         words = (*words, *(("; ",) if words and known else ()), *known)
         contact = _contact(reactions[n]) if reactions else ()
         words = (*contact, *(("; ",) if words and contact else ()), *words)
-        if presupposed and not words:
-            words = ("where ", *listed(math(f, sp.S.Zero, relation="≠") for f in presupposed))
+        stated = {c.lhs - c.rhs for c in b.conditions if c.relation == "≠"}
+        divided = [f for f in presupposed if f not in stated and -f not in stated]
+        if divided and not words:
+            words = ("where ", *listed(math(f, sp.S.Zero, relation="≠") for f in divided))
         forces = forces_at[n] if n < len(forces_at) else []
         own = [r for r in b.relations if all(r not in o.relations for o in branches if o is not b)]
         if forces and own:  # a position that the constraints hold is given; its forces are sought

@@ -156,3 +156,55 @@ def test_an_unknown_force_of_a_string_pulls(problem: Read) -> None:
     assert answer.verdict.value == "equivalent"
     assert solution.own.at_rest is not None
     assert [len(case) for case in solution.own.at_rest.cases] == [1]
+
+
+BEAM = """title: A beam on rough ground that leans on a smooth rail
+parameters: [m, g, a, h, mu]
+coordinates: [x, y, theta]
+bodies: {beam: {mass: m, position: x*i + y*j, angle: theta}}
+constraints:
+  ground: {equation: y >= a*sin(theta), reaction: R}
+  rail: {equation: "(y - h)*cos(theta) - x*sin(theta) >= 0", reaction: N}
+gravity: -g*j
+forces: {rub: {friction: mu, static: mu, constraint: ground, on: beam, at: r_beam - a*e1_beam, slip: -i}}
+find: impending
+"""
+
+
+def test_a_limit_that_is_no_angle_in_closed_form_is_a_coefficient(problem: Read) -> None:
+    """N = m g a sin θ cos θ/h (a cos θ arm), F = N sin θ, R = m g − N cos θ: μ = F/R."""
+    motions = solve(problem(BEAM)).own.impending
+    assert motions is not None
+    [b] = motions[0].equilibrium.branches
+    [limit] = [r for r in b.relations if r.lhs.name == "mu"]
+    numbers = {"a": 1.5, "h": 1, "theta": sp.pi / 6}
+    value = limit.rhs.xreplace({s: numbers[s.name] for s in limit.rhs.free_symbols}).evalf()
+    assert abs(value - 3 * sp.sqrt(3) / 7) < 1e-9
+    assert not b.left
+
+
+TWO_BLOCKS = """title: Two blocks joined by a bar on an incline
+parameters: {W_1: positive, W_2: positive, l: positive, alpha: acute, mu_1: positive, mu_2: positive}
+coordinates: [x_1, y_1, x_2, y_2]
+let: {down: "sin(alpha)*i - cos(alpha)*j"}
+particles: {upper: {position: x_1*i + y_1*j}, lower: {position: x_2*i + y_2*j}}
+constraints:
+  plane_1: {equation: y_1 >= 0, reaction: N_1}
+  plane_2: {equation: y_2 >= 0, reaction: N_2}
+  bar: {equation: x_2 - x_1 = l, reaction: S, by: rod}
+forces:
+  weight_1: {on: upper, vector: W_1*down}
+  weight_2: {on: lower, vector: W_2*down}
+  rub_1: {friction: mu_1, static: mu_1, constraint: plane_1, on: upper, slip: i}
+  rub_2: {friction: mu_2, static: mu_2, constraint: plane_2, on: lower, slip: i}
+find: [equilibrium, impending]
+ask: {bar: {quantity: S, when: x_1 = 0}}
+answers: {ask: {bar: (mu_1 - mu_2)*W_1*W_2*cos(alpha)/(W_1 + W_2)}}
+"""
+
+
+def test_a_force_at_the_limit_with_the_relation_of_the_limit_put_in(problem: Read) -> None:
+    """S = W_1 (μ_1 cos α − sin α) with (W_1 + W_2) tan α = μ_1 W_1 + μ_2 W_2 there."""
+    solution = solve(problem(TWO_BLOCKS))
+    assert all(c.passed for c in solution.checks)
+    assert [a.verdict.value for a in compared_answers(solution)] == ["equivalent"]
