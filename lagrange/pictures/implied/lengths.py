@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, islice
 from random import Random
 
 import sympy as sp
@@ -24,7 +24,15 @@ from lagrange.document.scene import FAINT, PagePoint, Polyline, StrokeKind
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, projected, unit
 from lagrange.pictures.implied.guides import cylinders_touched, hoops, ropes_to_supports
 from lagrange.pictures.implied.halves import halves
-from lagrange.pictures.limits import CURVE_STEPS, DIMENSION_ROWS, MOST_PLACES, SAME_ON_PAGE, SAME_PLACE, VARIATION
+from lagrange.pictures.limits import (
+    CURVE_STEPS,
+    DIMENSION_ROWS,
+    MOST_OPTIONS,
+    MOST_PLACES,
+    SAME_ON_PAGE,
+    SAME_PLACE,
+    VARIATION,
+)
 from lagrange.pictures.linkages import links, parameter_of
 from lagrange.pictures.poses import circle_of
 from lagrange.pictures.shapes import in_space, plane_rotation
@@ -204,7 +212,7 @@ class Lengths:
         if len(self.systems) < 3:
             return
         for symbol in missing:
-            options = [*self.options(symbol)]
+            options = [*islice(self.options(symbol), MOST_OPTIONS)] or [*self.in_sums(symbol)]
             if options:
                 first, *instead = options
                 self.sketch.wanted.append(replace(first, optional=True, instead=tuple(instead)))
@@ -233,6 +241,9 @@ class Lengths:
             yield from self.at_sides(label, sizes)
             if self.system.view.planar:
                 yield from self.along_axes(label, sizes)
+
+    def in_sums(self, symbol: sp.Symbol) -> Iterator[LabelRequest]:
+        """The places for a letter that is the length of nothing alone: R − r, k l."""
         for other in self.system.problem.parameters:
             if other.symbol != symbol and self.system.pose.values.get(other.symbol):
                 for label in (symbol * other.symbol, symbol + other.symbol, symbol - other.symbol):
