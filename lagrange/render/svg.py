@@ -87,7 +87,7 @@ def spans(text: str) -> str:
 def content_of(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
     """A label as the content of a `text` element."""
     if isinstance(content, str):
-        return _INDEX.sub(lambda m: f'<tspan dy="4" font-size="75%">{"".join(map(_LOWERED.get, m[0]))}</tspan>',
+        return _INDEX.sub(lambda m: f'<tspan dy="4" font-size="75%">{"".join(_LOWERED[c] for c in m[0])}</tspan>',
                           escape(printable(content)))  # fmt: skip
     if isinstance(content, UnitVector | VectorSymbol):
         text = write(content)
