@@ -142,10 +142,10 @@ def wave(state: State, letters: TrigLetters) -> list[State]:
     circular = [(u, f) for u, a in letters.angles.items() if u not in state.solved for f in a.letters]
     for first, second in combinations(state.equations, 2):
         for u, f in circular:
-            parts = [_as_linear(e, f, letters) for e in (first, second)]
-            if parts[0] is None or parts[1] is None:
+            one, other = (_as_linear(e, f, letters) for e in (first, second))
+            if one is None or other is None:
                 continue
-            (a, b), (c, d) = parts
+            (a, b), (c, d) = one, other
             crossed = sp.expand(a * d - b * c)
             others = letters.unknowns_in(crossed)
             if crossed == 0 or len(others) != 1 or u in others or any(crossed == e for e in state.equations):

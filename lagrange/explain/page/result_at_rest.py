@@ -157,7 +157,8 @@ def _equilibria(
         words = ("; " if last.condition else "", "others, if any, are not solved in closed form")
         groups[-1] = [*before, replace(last, condition=(*last.condition, *words))]
     coordinates = {*view.configuration.slots.coordinates}
-    unknowns = {frozenset(e.sides[0].free_symbols & coordinates) for lines in groups for e in lines}
+    first_sides = [e.sides[0] for lines in groups for e in lines]
+    unknowns = {frozenset(s.free_symbols & coordinates) for s in first_sides if isinstance(s, sp.Expr)}
     are_systems = any(len(lines) > 1 for lines in groups) or len(unknowns) > 1
     for n, (*first, last) in enumerate(groups, start=1):
         yield from first
