@@ -149,7 +149,7 @@ class DeclaredParts:
         if sum(line.kind is kind for line in problem.figure.lines) != 1:
             return None
         if kind is Drawn.SPRINGS:
-            sizes = [(f.energy,) for f in problem.forces if isinstance(f, Potential)]
+            sizes: list[tuple[sp.Expr, ...]] = [(f.energy,) for f in problem.forces if isinstance(f, Potential)]
         else:
             speeds = {*problem.slots.velocities}
             vectors = [f.vector.fixed() for f in problem.forces if isinstance(f, AppliedForce)]

@@ -32,7 +32,7 @@ def draw_directions(system: SystemPicture, sketch: Sketch, busy: Sequence[tuple[
         if not isinstance(vector, Vector) or name in drawn or not _is_turning_unit(system, vector):
             continue
         way = system.at(vector)
-        requests = [*_requests(system, sketch, busy, name, way, places.values())]
+        requests = [*_requests(system, sketch, busy, name, way, [*places.values()])]
         if requests:
             first, *instead = requests
             sketch.wanted.append(replace(first, instead=tuple(instead)))
@@ -53,7 +53,7 @@ def _requests(
     busy: Sequence[tuple[PagePoint, PagePoint]],
     name: str,
     way: FloatVector,
-    places: Iterator[FloatVector] | Sequence[FloatVector],
+    places: Sequence[FloatVector],
 ) -> Iterator[LabelRequest]:
     """The arrow at each point, first where the point is in its direction from another one."""
     x, y = system.page.way(way)

@@ -160,9 +160,9 @@ def rounds_of(system: SystemPicture) -> dict[str, Round]:
             start, end = (system.number(e) for e in curve.between[0])
             steps = (start + (end - start) * k / CURVE_STEPS for k in range(CURVE_STEPS + 1))
             rim = tuple(system.at(curve.point, {curve.along[0]: s}) for s in steps)
-            centre = _centre(rim)
-            if centre is not None:
-                found[f"curve {n}"] = Round(centre, math.dist(centre, rim[0]), rim)
+            middle = _centre(rim)
+            if middle is not None:
+                found[f"curve {n}"] = Round(middle, math.dist(middle, rim[0]), rim)
     return found
 
 
@@ -259,7 +259,7 @@ class Lengths:
     def arcs(self) -> list[tuple[PagePoint, Sequence[PagePoint]]]:
         """The circles of which parts are drawn as ground or track, with their centres, on the page."""
         lines = (line.points for line in self.sketch.lines if line.kind in (StrokeKind.GROUND, StrokeKind.CURVE))
-        found = []
+        found: list[tuple[PagePoint, Sequence[PagePoint]]] = []
         for points in lines:
             centre = _centre([(x, y, 0.0) for x, y in points]) if len(points) > 8 else None
             if centre is not None:
@@ -358,8 +358,8 @@ class Lengths:
                     ends = self.page(self.places[0][a]), self.page(self.places[0][b])
                     way = toward((0.0, 0.0), self.page.way(axes[0][n]))
                     found.append((not all(map(self.is_seen, ends)), apart(*ends), ends, way))
-        for _, _, (a, b), way in sorted(found)[:4]:
-            yield from self.dimensions(label, a, b, way)
+        for _, _, (start, end), way in sorted(found)[:4]:
+            yield from self.dimensions(label, start, end, way)
 
     def axes_of(self, system: SystemPicture) -> list[FloatVector]:
         """The axes of the file and of the plane bodies."""
