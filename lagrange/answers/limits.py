@@ -447,3 +447,36 @@ HIGHEST_EXPANSION = 6
 
 MOST_WRITTEN_OUT = 24
 """Fractions, roots and lists of cases of Typst and LibreOffice that are written out in one text."""
+
+LONGEST_CLAIM = 600
+"""Characters of a sentence in which a claim is looked for: longer ones are no sentences."""
+
+MOST_CLAIMS = 120
+"""Sentences of one answer in which claims are looked for."""
+
+CLAIM_SAMPLES = 12
+"""Random values of the parameters at which a claim is tried, each with those on both sides of its limit."""
+
+DECIDED_CLAIMS = 24
+"""Values with a clear outcome that settle a claim; fewer than FEWEST_DECIDED leave it open."""
+FEWEST_DECIDED = 4
+
+STARTS_TO_REST = 10
+"""Random places from which a state of rest is looked for."""
+
+LONGEST_LINEARIZED = 400
+"""Operations in equations of motion that are linearized in numbers: evaluating longer ones takes over half a second."""
+MOST_LINEARIZED = 4
+"""Coordinates of such a system."""
+
+GROWING = 1e-3
+LASTING = 1e-6
+"""Real parts of exponents, as parts of the largest, above which a motion grows, and below which it does not: in double
+precision a double zero comes out as 1e-8."""
+
+SAME_FREQUENCY = 1e-6
+SAME_ROUNDED_FREQUENCY = 0.02
+"""Relative differences of frequencies that are taken to be equal; of those that are given as rounded numbers."""
+
+STATES_OF_MOTION = 80
+"""Random states of motion in which an inequality for accelerations is tried."""

@@ -141,7 +141,8 @@ def answer_in_file(
     Raises ProblemError as `equations_in_file` does.
     """
     source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
-    source = replace(source, text=with_bracketed_arrays(with_cases(in_usual_signs(in_plain_formulas(source.text)))))
+    usual = with_bracketed_arrays(with_cases(in_usual_signs(in_plain_formulas(source.text))))
+    source = replace(source, text=usual, original=source.text if usual != source.text else "")
     equations = equations_in_file(source, ending, conditions=conditions)
     in_words = not equations and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
     if in_words or (not equations and is_expressions(source.text)):

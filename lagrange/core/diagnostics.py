@@ -30,10 +30,14 @@ class Severity(StrEnum):
 
 @record
 class Source:
-    """A text as it was read, with its name (a path, `<stdin>`, `answer 1`)."""
+    """A text as it was read, with its name (a path, `<stdin>`, `answer 1`).
+
+    original  as it was written, where it was put into usual signs first
+    """
 
     name: str
     text: str
+    original: str = ""
 
     @cached_property
     def _starts(self) -> list[int]:

@@ -63,8 +63,12 @@ _HAMILTON = re.compile(
 
 def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on a text; that of `judge` if the text is about nothing else. Raises ProblemError."""
-    judged = with_results_beside(answer, _judged(answer, solution, judge), solution)
-    return with_sentences_on_stability(answer, judged, solution)
+    from lagrange.answers.claims.conditions import is_about_order
+    from lagrange.answers.claims.judging import with_claims
+
+    results = [f for f in answer if not (is_inequality(f) and is_about_order(f.text))] or answer
+    judged = with_results_beside(results, _judged(results, solution, judge), solution)
+    return with_claims(answer, with_sentences_on_stability(answer, judged, solution), solution)
 
 
 def _judged(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:

@@ -54,7 +54,7 @@ CONDITION = re.compile(
 ENDS = re.compile(
     r"[;\n]|,(?=\s)|\.(?=\s|$)|\s(?:and|but|otherwise|else|while|whereas|sonst|und|aber)\s", re.IGNORECASE
 )
-_AMBIGUOUS = re.compile(r"marginal|neutral|indiff|metastab", re.IGNORECASE)
+AMBIGUOUS = re.compile(r"marginal|neutral|indiff|metastab", re.IGNORECASE)
 
 
 @record
@@ -119,7 +119,7 @@ def _claim(fragment: Fragment, reference: Reference) -> _Claim | None:
 
 def _claim_in(words: str, reference: Reference) -> _Claim | None:
     matches = [*WORD.finditer(words)]
-    if not matches or _AMBIGUOUS.search(words):
+    if not matches or AMBIGUOUS.search(words):
         return None
     kinds = {bool(m["not"]) or m["word"].lower() == "labil" for m in matches}
     first = matches[0]
@@ -242,7 +242,7 @@ def _numbers(expressions: Sequence[sp.Expr], state: Mapping[sp.Symbol, sp.Expr])
 
 _ABOUT = "it is taken to be about {}"
 _NOWHERE = "this is true at none of the equilibria"
-_REVERSED = "the condition for stability has the wrong sense"
+REVERSED = "the condition for stability has the wrong sense"
 
 
 @record
@@ -315,7 +315,7 @@ def check_stability_sentences(
             parts.append(EquationVerdict(stated, Verdict.EQUIVALENT, remarks=(_ABOUT.format(where),)))
             continue
         opposite = [_Clause(not c.stable, c.condition) for c in clauses]
-        why = _REVERSED if any(_is_true(opposite, p) for p in places) else _NOWHERE
+        why = REVERSED if any(_is_true(opposite, p) for p in places) else _NOWHERE
         parts.append(EquationVerdict.of(stated, Verdict.WRONG, why))
     wrong = any(p.verdict is Verdict.WRONG for p in parts)
     return AnswerVerdict(Verdict.WRONG if wrong else Verdict.EQUIVALENT, tuple(parts), name="stability")

@@ -322,7 +322,7 @@ _BEFORE = re.compile(
 )
 _AFTER = re.compile(
     rf"{_FREEDOM}\W{{0,4}}\s*(?:\([^()]{{0,20}}\)\s*)?(?:[:=]|is|are|ist|sind|beträgt|est)?\s*"
-    rf"(?P<sum>[^\n.;,]{{0,60}}?=\s*)?(?:\$|\\\()?\s*(?:f\s*=\s*)?(?P<count>{_COUNT}(?:\s*[-−–+]\s*[0-9]{{1,2}})*)(?P<result>\s*=\s*[0-9]{{1,2}})?(?![0-9.])",
+    rf"(?P<sum>(?:(?!{_FREEDOM})[^\n.;,]){{0,60}}?=\s*)?(?:\$|\\\()?\s*(?:f\s*=\s*)?(?P<count>{_COUNT}(?:\s*[-−–+]\s*[0-9]{{1,2}})*)(?P<result>\s*=\s*[0-9]{{1,2}})?(?![0-9]|\.[0-9])",
     re.IGNORECASE,
 )
 _LETTER = re.compile(
@@ -370,6 +370,14 @@ _NUMBER_AFTER = re.compile(r"=[\s$&({]*[-+]?[0-9]")
 
 
 def _freedom(text: str) -> int | None:
+    counts = counts_of_freedom(text)
+    if not counts:
+        counts = [(m.start(), _sum(m["chain"].split("=")[-1])) for m in _LETTER.finditer(text)]
+    return max(counts)[1] if counts else None
+
+
+def counts_of_freedom(text: str) -> list[tuple[int, int]]:
+    """Where a text says how many degrees of freedom there are, and how many."""
     counts: list[tuple[int, int]] = []
     for m in _BEFORE.finditer(text):
         counts.append((m.start(), _number(m["count"])))
@@ -377,9 +385,7 @@ def _freedom(text: str) -> int | None:
         if not any(abs(at - m.start()) < len(m[0]) and at < m.start() for at, _ in counts):
             counted = _sum(m["count"])
             counts.append((m.start(), int(m["result"].strip(" =")) if m["result"] else counted))
-    if not counts:
-        counts = [(m.start(), _sum(m["chain"].split("=")[-1])) for m in _LETTER.finditer(text)]
-    return max(counts)[1] if counts else None
+    return counts
 
 
 def _number(word: str) -> int:

@@ -99,7 +99,7 @@ def without_numbers(text: str) -> str:
         pieces += [text[at:start], " " * (end - start)]
         at = end
     text = "".join([*pieces, text[at:]])
-    return _REFERENCE.sub(lambda m: m[0].replace(m[m.lastgroup], " " * len(m[m.lastgroup])), text)
+    return _REFERENCE.sub(lambda m: m[0].replace(m[m.lastgroup or 0], " " * len(m[m.lastgroup or 0])), text)
 
 
 def notes_on_numbers(source: Source) -> list[Diagnostic]:

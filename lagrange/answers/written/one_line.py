@@ -299,7 +299,8 @@ def words_known(scope: Scope, texts: Sequence[str]) -> Callable[[str], bool]:
     return known
 
 
-def _is_prose(word: str, known: Callable[[str], bool]) -> bool:
+def is_prose(word: str, known: Callable[[str], bool]) -> bool:
+    """Whether a word is neither a name nor a function; one of a few letters may be a product of names."""
     plain = re.sub("['’]s$", "", word)
     lower = plain.lower()
     if len(plain) < SHORTEST_WORD or lower in FUNCTIONS or lower in OPERATIONS or lower in GREEK.values():
@@ -316,11 +317,11 @@ def _joints(text: str, start: int, end: int) -> list[tuple[int, int]]:
 
 def _after_sentence(text: str, end: int, known: Callable[[str], bool]) -> int:
     """Where the left side begins."""
-    prose = [m.start() for m in _WORD.finditer(text, 0, end) if _is_prose(m[0], known)]
+    prose = [m.start() for m in _WORD.finditer(text, 0, end) if is_prose(m[0], known)]
     if not prose:
         return 0
     verb = _AFTER_VERB.search(text, 0, end)
-    if verb and _is_prose(verb["verb"], known):
+    if verb and is_prose(verb["verb"], known):
         return verb.end("verb")
     cuts = [stop for start, stop in _joints(text, 0, end) if prose[0] <= start and stop > prose[-1]]
     rest = text[cuts[-1] : end].strip() if cuts else ""
@@ -342,9 +343,9 @@ def _before_sentence(text: str, start: int, known: Callable[[str], bool]) -> int
         words = [m[0] for m in _WORD.finditer(text, first)]
         rest = _WORD.sub(" ", text[first:]).strip(" ,;:.()!")
         all_links = bool(words) and all(w.lower() in _LINKS for w in words)
-        if words and ((all_links and not rest) or any(_is_prose(w, known) for w in words)):
+        if words and ((all_links and not rest) or any(is_prose(w, known) for w in words)):
             aside = _ASIDE.search(text, start, first)
-            return aside.start() if aside and all(_is_prose(w, known) for w in aside[1].split()) else first
+            return aside.start() if aside and all(is_prose(w, known) for w in aside[1].split()) else first
     return len(text)
 
 

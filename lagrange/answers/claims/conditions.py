@@ -1,0 +1,304 @@
+"""Claims that something happens under a condition: rolling, sliding, tipping, coming back, a position that exists.
+
+    It does not slip if μ ≥ tan α/2.             |F| ≤ μ N of what keeps it from slipping
+    It begins to slide if tan α > μ.             the acceleration of the slip at rest is positive
+    It tips before it slides if μ > b/h.         the order of two limits of rest, as one force grows
+    The ball comes back if R w > 5/2 v.          the velocity that is asked for is negative
+    ... is only possible if φ'² > g/l            |cos θ| ≤ 1 in cos θ = g/(l φ'²)
+    If M > m then r'' < 0 at all times.          in random states of motion
+
+Each is compared with what the solution has, at random values of the parameters on both sides of the limits.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.answers.claims.sentences import Relation, Sentence
+from lagrange.answers.claims.trying import Outcome, Values, agree, drawn, holds, tried
+from lagrange.answers.limits import STATES_OF_MOTION
+from lagrange.answers.references import Reference
+from lagrange.answers.verdicts import EquationVerdict, Verdict
+from lagrange.core.symbols import prime, symbols_in
+from lagrange.document.math_writer import text
+from lagrange.expressions.scope import Scope
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
+from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Friction
+
+_NOT = r"\b(?:not|no|never|without|cannot|nicht|kein\w*|ohne|nie)\b|n['’]t\b"
+_SLIP = re.compile(r"\b(?:slip|slid|skid|rutsch|gleit)\w*", re.IGNORECASE)
+_ROLL = re.compile(r"\b(?:roll|haft|stick)\w*", re.IGNORECASE)
+_NEGATED_SLIP = re.compile(rf"(?:{_NOT})\s*(?:\w+\s+){{0,3}}(?:slip|slid|skid|rutsch|gleit)\w*", re.IGNORECASE)
+_TIP = re.compile(r"\b(?:tip|tilt|topple|overturn|kipp)\w*", re.IGNORECASE)
+_FIRST = re.compile(r"\bfirst\b|\bzuerst\b", re.IGNORECASE)
+_BEFORE = re.compile(r"\b(?:before|rather\s+than|instead\s+of|sooner\s+than|bevor|eher\s+als)\b", re.IGNORECASE)
+_BACK = re.compile(
+    r"\b(?:comes?|rolls?|goes|moves?|runs?|kommt|rollt|läuft)\s+(?:\w+\s+)?(?:back|backwards?|zurück)\b"
+    r"|\breturns?\b|\breverses?\b|\bkehrt\b",
+    re.IGNORECASE,
+)
+_EXISTS = re.compile(
+    r"(?:possible|exists?|occurs?|möglich|existier\w*|there\s+(?:is|are)\b[^…]{0,60}|gibt\s+es\b[^…]{0,60})"
+    r"\s*(?:,\s*)?(?:only|nur)?\s*(?:if|for|when|as\s+long\s+as|provided(?:\s+that)?|where|wenn|falls|für)\s*,?\s*…",
+    re.IGNORECASE,
+)
+_ALWAYS = re.compile(
+    r"\b(?:always|at\s+all\s+times|at\s+any\s+time|never|whatever|in\s+any\s+case|immer|stets|jederzeit|nie)\b",
+    re.IGNORECASE,
+)
+_IS_NOT = re.compile(_NOT, re.IGNORECASE)
+
+_ROLLING = "it rolls without slipping as long as |F| <= mu N with the friction {}"
+_RIGHT_LIMIT = "that is the limit, but the inequality has the wrong sense"
+_NOT_WHERE = "it is not this condition that decides it"
+_SLIDES = "it begins to slide where the force along the contact is greater than mu N, both taken at rest"
+_NOT_ALWAYS = "it does not hold in every state of motion"
+
+
+def on_conditions(
+    sentence: Sentence, before: Sequence[Sentence], solution: Solution, reference: Reference
+) -> EquationVerdict | None:
+    """The verdict on what a sentence says happens under a condition; None if that cannot be judged.
+
+    before  the sentences that precede it
+    """
+    if not sentence.inequalities:
+        return None
+    for judged in (_on_order, _on_rolling, _on_sliding, _on_return, _on_accelerations):
+        if (verdict := judged(sentence, solution, reference)) is not None:
+            return verdict
+    return _on_existence(sentence, before, solution, reference)
+
+
+def _conditions(sentence: Sentence, scope: Scope) -> list[sp.Expr] | None:
+    read = [r.positive(scope) for r in sentence.inequalities]
+    return None if None in read else [e for e in read if e is not None]
+
+
+def _verdict(
+    sentence: Sentence, stated: Sequence[sp.Expr], truths: Sequence[sp.Expr], solution: Solution,
+    where: Sequence[sp.Expr] = (), why: str = "",
+) -> EquationVerdict | None:  # fmt: skip
+    """The verdict on conditions that must hold exactly where one of the truths is positive."""
+    outcomes = [agree(stated, truth, solution, where) for truth in truths]
+    if Outcome.TRUE in outcomes:
+        return EquationVerdict.of(sentence.shown, Verdict.EQUIVALENT, "")
+    if not outcomes or Outcome.OPEN in outcomes:
+        return None
+    reason = _RIGHT_LIMIT if outcomes == [Outcome.FALSE] else why or _NOT_WHERE
+    return EquationVerdict.of(sentence.shown, Verdict.WRONG, reason)
+
+
+def _on_rolling(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
+    """It rolls without slipping: |F| ≤ μ N, where the constraints give F and N."""
+    slips, rolls = _SLIP.search(sentence.words), _ROLL.search(sentence.words)
+    reactions = solution.own.dynamics.reactions if solution.own.dynamics else None
+    if not (slips or rolls) or reactions is None or _BACK.search(sentence.words):
+        return None
+    turning = {
+        n: s for n, s in reactions.sizes.items() if any(not m.is_zero for m in reactions.couples.get(n, {}).values())
+    }
+    pressing = {n: s for n, s in reactions.sizes.items() if n not in turning}
+    if len(turning) != 1 or len(pressing) != 1:
+        return None
+    [friction], [pressed] = turning.values(), pressing.values()
+    names = {n for r in sentence.inequalities for n in r.unknown_names(reference.scope)}
+    if len(names) > 1:
+        return None
+    own = {n: sp.Symbol(n, positive=True) for n in names}
+    scope = replace(reference.scope, scalars={**reference.scope.scalars, **own})
+    stated = _conditions(sentence, scope)
+    forces = friction.free_symbols | pressed.free_symbols
+    coefficients = {s for e in stated or () for s in e.free_symbols} - forces
+    if not stated or len(coefficients) != 1:
+        return None
+    [mu] = coefficients
+    truth = mu * sp.Abs(pressed) - sp.Abs(friction)
+    slipping = slips is not None and _NEGATED_SLIP.search(sentence.words) is None
+    why = _ROLLING.format(f"|F| = {text(sp.Abs(friction))}, N = {text(pressed)}")
+    return _verdict(sentence, stated, [-truth if slipping else truth], solution, [pressed], why)
+
+
+def _on_sliding(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
+    """It begins to slide: at rest, friction with its full size does not stop the slip."""
+    dynamics = solution.chosen.dynamics
+    stated = _conditions(sentence, reference.scope) if _SLIP.search(sentence.words) else None
+    if not stated or dynamics is None or not dynamics.slips:
+        return None
+    slots = solution.chosen.configuration.slots
+    rubbing = {f.constraint for f in solution.problem.forces if isinstance(f, Friction)}
+    sizes = dynamics.reactions.sizes if dynamics.reactions else {}
+    pressed = [s for n, s in sizes.items() if n in rubbing]
+    still = dict.fromkeys(slots.velocities, sp.S.Zero)
+    truths = []
+    for slip in dynamics.slips:
+        rate = slip.xreplace(dict(zip(slots.velocities, slots.accelerations, strict=True)))
+        if not rate.free_symbols & {*slots.accelerations} <= dynamics.solved.keys():
+            return None
+        truths.append(rate.xreplace(dict(dynamics.solved)).xreplace(still))
+    if _NEGATED_SLIP.search(sentence.words):
+        truths = [-truth for truth in truths]
+    return _verdict(sentence, stated, truths, solution, pressed, _SLIDES)
+
+
+def is_about_order(text_: str) -> bool:
+    """Whether a line says which limit of rest comes first: it is no condition of rest itself."""
+    verbs = bool(_TIP.search(text_)) + bool(_SLIP.search(text_))
+    return (verbs == 2 and _BEFORE.search(text_) is not None) or (verbs > 0 and _FIRST.search(text_) is not None)
+
+
+def _on_order(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
+    """It tips before it slides: which of two limits of rest a growing force reaches first."""
+    tips, slides = _TIP.search(sentence.words), _SLIP.search(sentence.words)
+    at_rest = next((v.at_rest for v in solution.views if v.at_rest is not None), None)
+    if at_rest is None or len(at_rest.cases) != 1 or not (tips or slides):
+        return None
+    verbs = [m for m in (tips, slides) if m is not None]
+    before, first = _BEFORE.search(sentence.words), _FIRST.search(sentence.words)
+    if before is not None and len(verbs) == 2:
+        tips_first = tips.start() < slides.start()  # type: ignore[union-attr]
+    elif first is not None and len(verbs) == 1:
+        tips_first = tips is not None
+    else:
+        return None
+    stated = _conditions(sentence, reference.scope)
+    rough = {s for f in solution.problem.forces if isinstance(f, Friction) for s in _coefficients(f)}
+    limits = {k: [c for c in at_rest.cases[0] if bool(_symbols(c) & rough) is k] for k in (True, False)}
+    if not stated or any(len(each) != 1 for each in limits.values()):
+        return None
+    [sliding], [tipping] = limits[True], limits[False]
+    used = {s for e in stated for s in e.free_symbols}
+    truths = [
+        t
+        for s in sorted((_symbols(sliding) & _symbols(tipping)) - used, key=str)
+        if (t := _sooner(tipping, sliding, s))
+    ]
+    return _verdict(sentence, stated, [t if tips_first else -t for t in truths[:1]], solution)
+
+
+def _coefficients(friction: Friction) -> set[sp.Symbol]:
+    return {s for e in (friction.coefficient, friction.static) if e is not None for s in e.free_symbols}
+
+
+def _symbols(condition: RestCondition) -> set[sp.Symbol]:
+    return {*condition.left.free_symbols, *condition.right.free_symbols}
+
+
+def _sooner(one: RestCondition, other: RestCondition, load: sp.Symbol) -> sp.Expr | None:
+    """What is positive where the first limit is reached before the other as a load grows; None if it is not known."""
+    limits = []
+    for condition in (one, other):
+        slack = sp.expand(sp.numer(sp.together(condition.right - condition.left)))
+        slope = slack.diff(load)
+        if load in slope.free_symbols or slope.is_negative is not True:
+            return None
+        limits.append(-slack.xreplace({load: sp.S.Zero}) / slope)
+    return limits[1] - limits[0]
+
+
+def _on_return(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
+    """It comes back: the velocity that is asked for is negative, where it may have either sign."""
+    stated = _conditions(sentence, reference.scope) if _BACK.search(sentence.words) else None
+    rates = {*solution.problem.slots.velocities}
+    asked = [a for a in solution.asked if a.question.quantity in rates and len(a.branches) == 1]
+    if not stated or len(asked) != 1:
+        return None
+    velocity = asked[0].branches[0].rhs
+    if not velocity.free_symbols <= {*reference.parameters.values()} or velocity.is_positive or velocity.is_negative:
+        return None
+    sense = 1 if _IS_NOT.search(sentence.words) else -1
+    why = f"it comes back where {asked[0].question.quantity} is negative at the end"
+    return _verdict(sentence, stated, [sense * velocity], solution, why=why)
+
+
+def _on_accelerations(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
+    """Inequalities for accelerations, in random states of motion that satisfy the other conditions."""
+    if not _ALWAYS.search(sentence.words) or solution.chosen.dynamics is None:
+        return None
+    slots = solution.chosen.configuration.slots
+    stated = _conditions(sentence, reference.scope) or []
+    rewritten = [solution.chosen.configuration.rewritten(e) for e in stated]
+    known = {*slots.accelerations}
+    claims = [e for e in rewritten if e.free_symbols & known]
+    conditions = [e for e in rewritten if not e.free_symbols & known]
+    reactions = solution.chosen.dynamics.reactions
+    solved = dict(solution.chosen.dynamics.solved)
+    solved |= {s: e for s, e in (reactions.accelerations if reactions else {}).items() if e is not None}
+    if not claims or sentence.equations or any({*c.free_symbols} & known - solved.keys() for c in claims):
+        return None
+    claims = [c.xreplace(solved) for c in claims]
+    moving = {*slots.coordinates, *slots.velocities}
+    symbols = {s for e in (*claims, *conditions) for s in symbols_in(e)}
+    if not symbols <= moving | {*reference.parameters.values()}:
+        return None
+    angles = {s for e in claims for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.args[0].free_symbols}
+    draw = random.Random(17)
+
+    def states() -> Iterator[Values]:
+        for _ in range(STATES_OF_MOTION):
+            values = drawn(symbols - moving, angles, draw)
+            for s in sorted(symbols & moving, key=str):
+                values[s] = draw.uniform(-3.1, 3.1) if s in angles else draw.lognormvariate(0, 0.8)
+                values[s] *= draw.choice((1, -1)) if s in slots.velocities else 1
+            yield values
+
+    def trial(values: Values) -> Iterator[bool | None]:
+        yield holds(claims, values) if not conditions or holds(conditions, values) else None
+
+    outcome = tried(states(), trial, STATES_OF_MOTION)
+    if outcome in (Outcome.FALSE, Outcome.SOMETIMES):
+        return EquationVerdict.of(sentence.shown, Verdict.WRONG, _NOT_ALWAYS)
+    return EquationVerdict.of(sentence.shown, Verdict.EQUIVALENT, "") if outcome is Outcome.TRUE else None
+
+
+def _on_existence(
+    sentence: Sentence, before: Sequence[Sentence], solution: Solution, reference: Reference
+) -> EquationVerdict | None:
+    """A position exists: its sine or cosine is between −1 and 1."""
+    match = _EXISTS.search(sentence.words)
+    if match is None:
+        return None
+    relation = _relation_at(sentence, match)
+    stated = relation.positive(reference.scope) if relation is not None else None
+    if stated is None:
+        return None
+    bounded = [e for r in sentence.equations if (e := _bounded(r, reference)) is not None]
+    for other in reversed(before):
+        bounded = bounded or [e for r in other.equations if (e := _bounded(r, reference)) is not None]
+    truths = [1 - e**2 for e in bounded]
+    if _IS_NOT.search(sentence.words[: match.end()]):
+        truths = [-truth for truth in truths]
+    return _verdict(sentence, [stated], truths, solution)
+
+
+def _relation_at(sentence: Sentence, match: re.Match[str]) -> Relation | None:
+    """The inequality at the end of a match in the words of a sentence."""
+    number = sentence.words.count("…", 0, match.end()) - 1
+    relation = sentence.relations[number] if number < len(sentence.relations) else None
+    return relation if relation is not None and relation.is_inequality else None
+
+
+def _bounded(relation: Relation, reference: Reference) -> sp.Expr | None:
+    """X of `cos q = X`, or of a sine, for a coordinate q that occurs nowhere else; None for other equations."""
+    reading = relation.reading(reference.scope)
+    if reading.error is not None or len(reading.components) != 1:
+        return None
+    [e] = reading.components
+    coordinates = e.free_symbols & {*reference.scope.slots.coordinates}
+    rates = {prime(q) for q in reference.scope.slots.coordinates}
+    waves = [f for f in e.atoms(sp.sin, sp.cos) if f.args[0] in coordinates]
+    allowed = coordinates | rates | {*reference.parameters.values()}
+    if len(coordinates) != 1 or len(waves) != 1 or not e.free_symbols <= allowed:
+        return None
+    z = sp.Dummy("z")
+    replaced = e.xreplace({waves[0]: z})
+    slope = replaced.diff(z)
+    if replaced.free_symbols & coordinates or slope == 0 or z in slope.free_symbols:
+        return None
+    return -replaced.xreplace({z: sp.S.Zero}) / slope
