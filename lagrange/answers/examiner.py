@@ -163,7 +163,9 @@ class Examiner:
 
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
-            answer, case = without_case(answer, [q.name for q in self.problem.slots.coordinates])
+            from lagrange.answers.friction.stated_limits import with_limits_put_in
+
+            answer, case = without_case(with_limits_put_in(answer), [q.name for q in self.problem.slots.coordinates])
             stated = [p for f in answer for c in conditions_of(condition_alone(f)) for p in in_two(condition_alone(c))]
             known = self._statics_reference.scope.names()
             judged = self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
