@@ -548,8 +548,8 @@ def _shortest(s: Stability, b: Branch) -> Stability:
 def _nowhere_stable(s: Stability, b: Branch) -> Stability:
     """The verdict where the branch exists only where one minor fails to be positive: where it is negative, unstable."""
     known = known_positive(b)
-    for m in s.minors:
-        own, opposite = ([] if sign_on(m, known) is not None else conditions_for([x], known) for x in (m, -m))
+    for m in (m for m in s.minors if sign_on(m, known) is None):
+        own, opposite = conditions_for([m], known), conditions_for([-m], known)
         if own and opposite and further_conditions(own, b.conditions) is None:
             presupposed = further_conditions(opposite, b.conditions)
             if presupposed is not None:
