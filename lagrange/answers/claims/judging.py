@@ -57,10 +57,14 @@ def with_claims(answer: Sequence[Fragment], judged: Judgement, solution: Solutio
     def is_claimed(d: Diagnostic) -> bool:
         return d.span is not None and any(_bare(d.span.source.text[d.span.start : d.span.end]) in c for c in claimed)
 
+    def is_claimed_note(n: Diagnostic) -> bool:
+        return n.code == "not-judged" and (is_claimed(n) or (counted and bool(counts_of_freedom(n.message))))
+
+    counted = any(a.name == _FREEDOM for a in others)
     motion = judged.equations
     equations = replace(
         motion,
-        notes=(*(n for n in motion.notes if n.code != "not-judged" or not is_claimed(n)), *notes),
+        notes=(*(n for n in motion.notes if not is_claimed_note(n)), *notes),
         unreadable=tuple(d for d in motion.unreadable if not is_claimed(d)),
         equations=tuple(
             e
