@@ -143,11 +143,14 @@ class Examiner:
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         from lagrange.answers.questions.in_text import judged_in_text
         from lagrange.answers.written.lines import separated_lines
+        from lagrange.answers.written.numbering import notes_on_numbers
 
+        notes = [note for source in dict.fromkeys(f.whole.source for f in answer) for note in notes_on_numbers(source)]
         answer = separated_lines(answer)
-        return (
+        judged = (
             self._compared(answer) if self.solution is None else judged_in_text(answer, self.solution, self._compared)
         )
+        return replace(judged, equations=replace(judged.equations, notes=(*notes, *judged.equations.notes)))
 
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
@@ -160,7 +163,9 @@ class Examiner:
 
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
-            answer, case = without_case(answer, [q.name for q in self.problem.slots.coordinates])
+            from lagrange.answers.friction.stated_limits import with_limits_put_in
+
+            answer, case = without_case(with_limits_put_in(answer), [q.name for q in self.problem.slots.coordinates])
             stated = [p for f in answer for c in conditions_of(condition_alone(f)) for p in in_two(condition_alone(c))]
             known = self._statics_reference.scope.names()
             judged = self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
@@ -270,7 +275,13 @@ class Examiner:
 
         newton = solution.law.newton if solution.law else None
         named = {s for r in (newton.reactions if newton else ()) for s in (r.given, r.multiplier, r.symbol) if s}
-        working = without_forces(inequalities, equations, self._statics_reference, {s.name: s for s in named})
+        reference = self._statics_reference
+        named |= {
+            *reference.unknowns,
+            *(s for s in reference.scope.scalars.values() if s.is_Symbol and s.name[:2] == "F_"),
+        }
+        named -= {*reference.parameters.values(), *reference.scope.slots.coordinates}
+        working = without_forces(inequalities, equations, reference, {s.name: s for s in named})
         notes: tuple[Diagnostic, ...] = ()
         if working is not None:
             inequalities, equations, notes = working.conditions, working.equations, working.notes

@@ -282,9 +282,10 @@ class StatedReactionsAtRest:
 
     def _compared_in_numbers(self, stated: EquationVerdict, fragment: Fragment, reaction: Reaction) -> EquationVerdict:
         """The verdict on a number for a force, of either sign, from its values at positions found in numbers."""
-        if reaction.single is None or not all(reaction.force in forces for forces in self.in_numbers):
+        if not all(reaction.force in forces for forces in self.in_numbers):
             return stated
-        in_force = {reaction.multiplier: reaction.force / reaction.single.factor}
+        factor = sp.S.One if reaction.single is None else reaction.single.factor
+        in_force = {reaction.multiplier: reaction.force / factor}
         sizes = [forces[reaction.force] for forces in self.in_numbers]
         for zero, remarks in _claims(fragment, reaction, self.reference):
             e = zero.xreplace(in_force).xreplace(dict(self.reference.values))

@@ -51,6 +51,7 @@ from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.answers.written.notation.rare import ratios_of
 from lagrange.answers.written.notation.typesetters import in_plain_formulas
+from lagrange.answers.written.numbering import without_numbers
 from lagrange.answers.written.values import stability_of_it
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
@@ -105,8 +106,8 @@ def equations_in_file(source: Source, ending: str, *, conditions: bool = False) 
     """
     fragment = Fragment(source.text, Span(source, 0, len(source.text)), 0)
     _check_size(fragment)
-    if (decimals := with_decimal_points(source.text)) != source.text:
-        fragment = Fragment(decimals, fragment.whole, 0)
+    if (plain := without_numbers(with_decimal_points(source.text))) != source.text:
+        fragment = Fragment(plain, fragment.whole, 0)
     if conditions and is_inequality(fragment):
         return tuple(_conditions(fragment))
     if macros := macros_of(source.text):
@@ -120,7 +121,7 @@ def _found(fragment: Fragment, source: Source, ending: str) -> Iterator[Fragment
         case ".tex" | ".latex" | ".ltx":
             yield from _in_latex(fragment)
         case ".html" | ".htm" | ".xhtml":
-            text = with_decimal_points(text_of_html(source.text))
+            text = without_numbers(with_decimal_points(text_of_html(source.text)))
             yield from _in_lines(Fragment.of(text, source.name))
         case ".md" | ".markdown":
             yield from _in_markdown(fragment)
@@ -157,14 +158,21 @@ def answer_to(examiner: Examiner, source: Source, ending: str) -> tuple[Fragment
 
 def _conditions(fragment: Fragment) -> Iterator[Fragment]:
     """The lines with inequalities, each without words before it, and the other lines with equations."""
-    number = 0
+    number = results = 0
+    fragment = replace(fragment, text=_ENVIRONMENT.sub(lambda m: " " * len(m[0]), fragment.text))
     for start, end in _lines(fragment.text):
         if not is_inequality(_part(fragment, start, end)):
-            yield from _in_lines(_part(fragment, start, end))
+            found = [*_in_lines(_part(fragment, start, end))]
+            results += len(found)
+            yield from found
             continue
+        if results and _PROVISO.match(fragment.text, start, end):
+            continue
+        if also := _AND_ALWAYS.search(fragment.text, start, end):
+            end = also.start()
         places = [(start + a, start + b) for a, b in cuts(fragment.text[start:end], _BETWEEN_STATEMENTS)]
         places = [place for place in places if _ALWAYS_IF.fullmatch(fragment.text, *place) is None] or places
-        ended = any("." in fragment.text[a:b] for (_, a), (b, _) in pairwise(places))
+        ended = any(fragment.text[a:b].strip() in (".", "\\\\") for (_, a), (b, _) in pairwise(places))
         if not ended and all(is_inequality(_part(fragment, *place)) for place in places):
             places = [(places[0][0], places[-1][1])]
         for begins, stop in places:
@@ -182,13 +190,21 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
 
 
 _DISPLAY = re.compile(r"\\[\[(]\s*(.*?)[\s.,;]*\\[\])]")
-_ALWAYS_IF = re.compile(
-    r"\s*(?:and\s+|und\s+)?(?:if|when|for|wenn|falls|für|si)\b[^,;]*[<>≤≥][^,;]*,[^<>≤≥=]*"
-    r"\b(?:every|any|all|each|whatever|always|jede\w*|immer|toujours|toute?s?)\b[^<>≤≥=]*",
+_ALWAYS = r"\b(?:every|any|all|each|whatever|always|jede\w*|immer|toujours|toute?s?)\b[^<>≤≥=,;.]*"
+_IF = r"\b(?:if|when|for|wenn|falls|für|si)\b[^,;]*[<>≤≥]"
+_ALWAYS_IF = re.compile(rf"\s*(?:and\s+|und\s+)?{_IF}[^,;]*[,:][^<>≤≥=]*{_ALWAYS}", re.IGNORECASE)
+_AND_ALWAYS = re.compile(
+    rf"[,;]\s*(?:and\s+|und\s+)?[^<>≤≥=,;]{{0,40}}{_ALWAYS}{_IF}[^,;<>≤≥]*?(?=[.;]?\s*\Z)", re.IGNORECASE
+)
+_PROVISO = re.compile(
+    r"(?![^=<>≤≥]*(?:rest|slid|slip|hold|held|equilibr|mov|tip|stand|stay|balance|lock|stab|possib|ruht|gleit|haft|bleib|kipp))"
+    r"[^=<>≤≥$]*[^\W\d_]{3,}[^=<>≤≥$]*,\s*(?:if|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|si)\s",
     re.IGNORECASE,
 )
+"""`the greatest, if $\\alpha + \\rho < \\frac{\\pi}{2}$`: where a result exists that was stated before."""
 """`if mu*nu >= 1, at every angle`: when a condition of rest beside it is no restriction."""
-_BETWEEN_STATEMENTS = re.compile(r";|==?>|⇒|⟹|→|->|(?<=[\w)$}])\.\s+(?=[A-Z][a-z]*\s)")
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s?\{(?:align(?:ed)?|gather(?:ed)?|equation|split|eqnarray)\*?\}")
+_BETWEEN_STATEMENTS = re.compile(r";|\\\\|==?>|⇒|⟹|→|->|(?<=[\w)$}])\.\s+(?=[A-Z][a-z]*\s)")
 
 
 def _check_size(fragment: Fragment) -> None:

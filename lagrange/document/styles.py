@@ -256,9 +256,11 @@ class Unicode(Text):
         return Piece(_VULGAR[code]) if code in _VULGAR else Piece(f"({code})")
 
     def between(self, before: Piece, after: Piece) -> str:
-        """A space, but 2x."""
+        """A space, but 2x; 2 (a + b)² as 2 (a + b)."""
         usual = super().between(before, after)
-        counts = before.code.replace(".", "").isdigit() and after.tight
+        counts = (
+            before.code.replace(".", "").isdigit() and after.tight and after.code.lstrip(START)[:1] not in tuple("([{")
+        )
         return "" if counts and usual == self.times else usual
 
     def applied(self, function: str, argument: str, raised: bool) -> Piece:

@@ -205,6 +205,13 @@ def explain_links(configuration: Configuration) -> list[Block]:
     for s in configuration.springs:
         length = s.length_symbol
         free: tuple[Part, ...] = (" and natural length ", math(s.length)) if s.length != 0 else ()
+        if s.length != 0 and s.distance.is_Symbol:  # a coordinate
+            blocks += [
+                prose(f"The {qualified('spring', s.name)}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
+                      ". Its length is ", math(s.distance), ", and the force with which it pulls its ends together is"),
+                display(Equation((s.pull,), label=f"pull-{s.name}")),
+            ]  # fmt: skip
+            continue
         blocks += [
             prose(f"The {qualified('spring', s.name)}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
                   f". {'Its length' if s.length != 0 else EXTENSION} and the force with which it pulls its ends "
@@ -335,19 +342,22 @@ def terms_of_dampers(configuration: Configuration) -> list[sp.Expr]:
     return [d.pull_at(prime(d.length_symbol)) * variation(d.length_symbol) for d in configuration.dampers]
 
 
-def law_times_displacement(configuration: Configuration, insertion: str) -> str:
+def law_times_displacement(configuration: Configuration, insertion: str) -> tuple[Part, ...]:
     """What is multiplied by what: `Newton's law for each particle<insertion> by its virtual displacement`."""
     bodies, particles = configuration.rotations, configuration.particles
     if not bodies:
         one = len(particles) == 1
         whom, whose = ("", "the") if one else (" for each particle", "its")
-        return f"Newton's law{whom}{insertion} by {whose} virtual displacement"
+        return (f"Newton's law{whom}{insertion} by {whose} virtual displacement",)
     whom = "each particle and mass centre" if particles else plural(len(bodies), "the mass centre", "each mass centre")
-    turning = plural(len(bodies), "the law of angular momentum", "the law of angular momentum for each body")
-    its = plural(len(bodies), "the", "its")
+    of = plural(len(bodies), f"_{bodies[0].name}", "")
+    turning: tuple[Part, ...] = ("the law of the angular momentum ", math(VectorSymbol(f"H{of}")))
+    turning += () if len(bodies) == 1 else (" for each body",)
+    law = "" if any_moving(configuration) else insertion
+    rotation = (f"{law} by {plural(len(bodies), 'the', 'its')} virtual rotation ", math(VectorSymbol(f"delta(pi{of})")))
     if not any_moving(configuration):
-        return f"{turning}{insertion} by {its} virtual rotation"
-    return f"Newton's law for {whom}{insertion} by its virtual displacement, and {turning} by {its} virtual rotation"
+        return (*turning, *rotation)
+    return (f"Newton's law for {whom}{insertion} by its virtual displacement, and ", *turning, *rotation)
 
 
 def any_moving(configuration: Configuration) -> bool:

@@ -174,7 +174,9 @@ def _beats(b: Beats, view: InCoordinates) -> Block:
 def _resonance(r: DoubleResonance) -> Block:
     places = listed(math(q, e) for q, e in r.rest.items())
     names = (math(r.driven), " and ", math(r.driving))
-    squares = listed(math(e) for e in r.squares)
+    squares: tuple[Part, ...] = (*listed(math(e) for e in r.squares),)
+    if any(e.has(r.driven) for e in r.squares):
+        squares = (*squares, ", with this ", math(r.driven))
     return prose(
         *(
             Emphasis("Resonance 2 : 1"),

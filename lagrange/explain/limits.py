@@ -37,6 +37,8 @@ LONGEST_ACCELERATIONS = 250
 MOST_LAWS = 2
 """The most bodies whose laws are written in vectors in a sentence."""
 
+LONGEST_TITLE = 72
+"""Of a question, in letters: one line of the page, its number included."""
 LONGEST_IN_TEXT = 8
 """The most operations of an expression in running text."""
 

@@ -28,7 +28,7 @@ from lagrange.document.derivation import (
     prose,
     series,
 )
-from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
+from lagrange.explain.bodies import any_moving, law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.limits import LONGEST_ACCELERATIONS, LONGEST_VARIATION
 from lagrange.explain.statement import given_force
@@ -76,16 +76,17 @@ def _multiplied(configuration: Configuration) -> Block:
     """How the principle follows from Newton's law."""
     given = _potential_work(configuration)
     if not configuration.rows:
-        laws = law_times_displacement(configuration, ", multiplied")
+        first, *laws = law_times_displacement(configuration, ", multiplied")
         terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
         one = " and summed, reads" if terms > 1 else ", reads"
-        ending = ", summed, read" if " and " in laws else one
-        return prose(_no_reactions(configuration), *(given or (" ",)), f"{capital(laws)}{ending}")
+        ending = ", summed, read" if len(configuration.rotations) and any_moving(configuration) else one
+        return prose(_no_reactions(configuration), *(given or (" ",)), capital(str(first)), *laws, ending)
     terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
     add = ", and add" if terms > 1 else ""
     drop = plural(len(configuration.rows), "the reaction drops", "the reactions drop")
-    words = f"Multiply {law_times_displacement(configuration, '')}{add}: {drop} out by "
-    return prose(*given[1:], words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
+    multiplied = law_times_displacement(configuration, "")
+    dropped = (f"{add}: {drop} out by ", Ref("virtual-work"), ", and d'Alembert's principle remains:")
+    return prose(*given[1:], "Multiply ", *multiplied, *dropped)
 
 
 def _potential_work(configuration: Configuration) -> tuple[Part, ...]:

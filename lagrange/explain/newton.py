@@ -505,9 +505,10 @@ def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration)
     )
     known = all(w.reaction.directions is not None and not w.reaction.others for w in works)
     zero = listed(Ref(f"virtual-{w.reaction.name}") for w in works)
-    body.append(
-        prose("In a virtual displacement ", plural(len(works), "the reaction does", "the reactions do"), " the work")
-    )
+    turned = f"_{about[0]}" if len(about) == 1 else ""
+    rotation = (" with the rotation ", math(VectorSymbol(f"delta(pi{turned})"))) if about else ()
+    work = (plural(len(works), "the reaction does", "the reactions do"), " the work")
+    body.append(prose("In a virtual displacement", *rotation, " ", *work))
     body.append(display(Equation((left, total) if known and (on or about) else (total,), label="virtual-work")))
     good = all(w.vanishes for w in works)
     if good:

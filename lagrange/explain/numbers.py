@@ -89,8 +89,10 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
             yield step
         elif view is not None and view.in_numbers is not None:
             table = _equilibria(view, view.in_numbers, digits, _start(values))
-            exists = any(p.branch is None for p in view.in_numbers.positions)
-            body = (b for b in step.body if not (exists and has_purpose(b, Purpose.EXISTENCE_OPEN)))
+            numerical = view.in_numbers.numerical
+            settled = any(p.branch is None for p in view.in_numbers.positions)
+            settled = settled or (numerical is not None and numerical.is_exhaustive)
+            body = (b for b in step.body if not (settled and has_purpose(b, Purpose.EXISTENCE_OPEN)))
             yield replace(step, body=(*body, *table, *_forces_at_roots(view, digits)))
         elif view is not None and not _determines_forces(view):
             yield step

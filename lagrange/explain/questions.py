@@ -27,8 +27,10 @@ from lagrange.document.derivation import (
     prose,
     series,
 )
+from lagrange.explain.asked_for import titles_of_questions
+from lagrange.explain.beside_answers import beside_answer
 from lagrange.explain.limits import LONGEST_IN_TEXT
-from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
+from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, suffix_of, title_in
 from lagrange.mechanics.questions.closed_motions import FromStart
 from lagrange.mechanics.questions.forms import rate_of, under_one_root
 from lagrange.mechanics.questions.results import (
@@ -54,9 +56,12 @@ def explain_questions(solution: Solution) -> Iterator[Step]:
     """A step for each question."""
     shown = {v.name for v in solution.views if v.conserved is not None}
     seen: dict[tuple[str, sp.Expr], str] = {}
-    for asked in solution.asked:
-        body = tuple(_body(asked, asked.choice in shown, seen))
-        yield Step(Rule.QUESTION, f"Question: {spoken(asked.question.name)}", body, about=asked.question.name)
+    states: set[tuple[sp.Expr, ...]] = set()
+    for asked, title in zip(solution.asked, titles_of_questions(solution), strict=True):
+        when = tuple(c.function for c in asked.question.when)
+        body = (*_body(asked, asked.choice in shown, seen), *beside_answer(solution, asked, first=when not in states))
+        states.add(when)
+        yield Step(Rule.QUESTION, title, body, about=asked.question.name)
 
 
 def explain_from_start(start: FromStart) -> Step:

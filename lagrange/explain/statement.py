@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic
-from lagrange.core.symbols import Partial, TimeDerivative, VectorSymbol, prime, t
+from lagrange.core.symbols import Partial, TimeDerivative, Unspecified, VectorSymbol, prime, t
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.derivation import (
     Block,
@@ -80,6 +80,7 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
         )
         body.append(prose(*series(axes), "."))
     body += _symbols(problem)
+    body += _sought(problem, configuration)
     body += _functions(problem)
     body += _frame(problem)
     body += triads_of_bodies(problem, configuration)
@@ -180,6 +181,32 @@ def _by_kind(free: Sequence[Parameter]) -> list[Part]:
     return clauses
 
 
+def _sought(problem: Problem, configuration: Configuration) -> list[Block]:
+    """`The forces P and Q are to be found.`"""
+    if not problem.unknowns:
+        return []
+    forces = {u for u in problem.unknowns if any(_is_size_in(u, f.vector) for f in configuration.loads)}
+    moments = {u for u in problem.unknowns if any(_is_size_in(u, f.vector) for f in configuration.torques)}
+    kinds = ["force" if u in forces else "moment" if u in moments else "" for u in problem.unknowns]
+    same = kinds[0] if len({*kinds}) == 1 else ""
+    named = [
+        (math(u),) if same or not kind else (f"the {kind} ", math(u))
+        for u, kind in zip(problem.unknowns, kinds, strict=True)
+    ]
+    several = plural(len(named), "", "s")
+    opening = (f"The {same}{several} ",) if same else ()
+    first, *others = series(named)
+    words = (*opening, first, *others) if same or not isinstance(first, str) else (capital(first), *others)
+    return [prose(*words, plural(len(named), " is", " are"), " to be found.")]
+
+
+def _is_size_in(u: sp.Symbol, v: Vector) -> bool:
+    """Whether it is a force or a moment itself, times numbers and directions, and not P in a moment l P."""
+    factors = [c.coeff(u) for c in v.components if c.has(u)]
+    angles = {s for c in factors for f in c.atoms(sp.sin, sp.cos) for s in f.free_symbols}
+    return bool(factors) and all(c != 0 and c.free_symbols <= angles for c in factors)
+
+
 def _functions(problem: Problem) -> list[Block]:
     """The prescribed motions; the undefined functions, those of the same arguments together."""
     blocks: list[Prose] = []
@@ -190,8 +217,17 @@ def _functions(problem: Problem) -> list[Block]:
     for arguments in dict.fromkeys(f.arguments for f in problem.functions):
         members = [f.name for f in problem.functions if f.arguments == arguments]
         words = plural(len(members), " is an unspecified function of ", " are unspecified functions of ")
-        blocks.append(prose(*_names(members), words, *_names(arguments), "."))
+        values = _at_which(problem, members, arguments)
+        where = ("; here ", *listed(math(sp.Symbol(n), e) for n, e in values)) if values else ()
+        blocks.append(prose(*_names(members), words, *_names(arguments), *where, "."))
     return [paragraph(*blocks)] if blocks else []
+
+
+def _at_which(problem: Problem, members: Sequence[str], names: Sequence[str]) -> list[tuple[str, sp.Expr]]:
+    """X = x - u t, Y = y: what the arguments are in the constraints, if they are the same everywhere."""
+    used = {f.args[3:] for c in problem.constraints for f in c.function.atoms(Unspecified) if f.name in members}
+    values = [*zip(names, next(iter(used)), strict=True)] if len(used) == 1 else []
+    return values if any(n.lower() != str(e).lower() for n, e in values) else []
 
 
 def _names(names: Iterable[str]) -> tuple[Part, ...]:

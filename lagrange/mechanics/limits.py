@@ -147,3 +147,12 @@ MOST_GROUPED_TERMS = 40
 
 LONGEST_AT_ONCE = 12
 """Operations of rates that are put into the principle without writing the equations before that."""
+
+LONGEST_WAY = 4
+"""The most operations of a length, or of a force at every steady state, that is worth a sentence: M g, R/3."""
+
+LONGEST_INVERTED = 30
+"""The most operations of an answer that is solved for a velocity: of a longer one the inverse says nothing."""
+
+LONGEST_DRIVE = 10
+"""The most operations of what changes a momentum, beside the momentum in one line."""

@@ -152,6 +152,8 @@ class Blocks:
         for p in self.particles():
             kept = self.surface(p) is not None
             way = self.surface(p) or ways.get(p.name)
+            if way is not None and is_vehicle(p.name) and self.under_roller(p, way):
+                continue
             is_board = _BOARD.search(p.name.replace("_", " "))
             upon = {name for r in self.system.newton.reactions for name in r.acts_on
                     if r.constraint.side is not None and len(r.acts_on) == 2 and p.name in r.acts_on}  # fmt: skip
@@ -183,13 +185,42 @@ class Blocks:
                     (Way(beyond(way.at, way.along, x), way.along, way.up), thick - top) for x in (start, end)
                 ]
 
+    def under_roller(self, p: MassPoint, way: Way) -> bool:
+        """Draw a cart under what rolls on it, with a post at its own place if that is at the height of the centre."""
+        page, system = self.system.page, self.system
+        joined = {n for r in system.newton.reactions if p.name in r.acts_on for n in r.acts_on if n != p.name}
+        bodies = {b.name: page(system.pose.at(b.position)) for b in system.configuration.points if b.name in joined}
+        rolling = {n: at for n, at in bodies.items() if n in system.shapes and self.is_on(way, at) and self.radius(n)}
+        if not rolling or way.is_upright:
+            return False
+        low = max(map(self.radius, rolling)) * page.scale
+        places = [inner(at, way.along) - inner(way.at, way.along) for at in rolling.values()]
+        start, end = min([*places, 0.0]) - 0.8, max([*places, 0.0]) + 0.8
+
+        def place(x: float, y: float) -> PagePoint:
+            return beyond(beyond(way.at, way.along, x), way.up, y)
+
+        top = (place(start, -low), place(end, -low))
+        self.sketch.face([*top, place(end, -low - HIGH), place(start, -low - HIGH)], 2, -1.0)
+        self.sketch.line([place(0.0, -low), place(0.0, 0.3)], StrokeKind.ROD)
+        self.tops.append(top)
+        self.on_board |= dict.fromkeys(rolling, 0.0)
+        self.boards[p.name] = place((start + end) / 2, -low - HIGH / 2)
+        self.carried += [(Way(place(x, 0.0), way.along, way.up), low + HIGH) for x in (start, end)]
+        return True
+
+    def radius(self, name: str) -> float:
+        """Of a round body, in the units of the problem; 0 for any other."""
+        shape, known = self.system.problem.figure.shapes.get(name), self.system.shapes.get(name)
+        if shape is not None and shape.kind in (Outline.DISC, Outline.RING, Outline.SPHERE):
+            return abs(self.system.number(shape.lengths[0]))
+        return known.radius if known else 0.0
+
     def rolling_on(self, way: Way) -> Iterator[tuple[str, PagePoint]]:
         """The round bodies whose lowest points are on a line, with these."""
         page, pose = self.system.page, self.system.pose
         for p in self.system.configuration.points:
-            shape, known = self.system.problem.figure.shapes.get(p.name), self.system.shapes.get(p.name)
-            round_ = shape is not None and shape.kind in (Outline.DISC, Outline.RING, Outline.SPHERE)
-            radius = abs(self.system.number(shape.lengths[0])) if round_ and shape else known.radius if known else 0.0
+            radius = self.radius(p.name)
             at = beyond(page(pose.at(p.position)), way.up, -radius * page.scale)
             if radius and self.is_on(way, at):
                 yield p.name, at

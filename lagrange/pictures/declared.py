@@ -16,13 +16,13 @@ import sympy as sp
 from lagrange.core.symbols import UnitVector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, unit
-from lagrange.pictures.limits import CURVE_STEPS, NEARLY_FLAT, SAME_ON_PAGE, SURFACE_FACES
+from lagrange.pictures.limits import CURVE_STEPS, FACES_OF_TURN, NEARLY_FLAT, SAME_ON_PAGE, SURFACE_FACES
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, overlapping, toward
 from lagrange.pictures.solids import LIGHT, Solids
 from lagrange.pictures.springs_dampers import draw_damper, draw_spring
 from lagrange.pictures.systems import SystemPicture
 from lagrange.pictures.views import View
-from lagrange.problem.model import Drawn, FigureCircle, FigureCurve, FigureLine, FigureMark
+from lagrange.problem.model import AppliedForce, Drawn, FigureCircle, FigureCurve, FigureLine, FigureMark, Potential
 
 _STROKES = {
     Drawn.GROUND: StrokeKind.GROUND,
@@ -106,11 +106,14 @@ class DeclaredParts:
         """A surface in faces, the darker the more they turn away from the light, with some lines of the grid."""
         u, v = curve.along
 
-        def place(m: int, n: int) -> FloatVector:
-            values = [a + (b - a) * k / SURFACE_FACES for (a, b), k in zip(ends, (m, n), strict=True)]
+        def place(m: float, n: float) -> FloatVector:
+            values = [a + (b - a) * k for (a, b), k in zip(ends, (m, n), strict=True)]
             return self.system.at(curve.point, {u: values[0], v: values[1]})
 
-        grid = [[place(m, n) for n in range(SURFACE_FACES + 1)] for m in range(SURFACE_FACES + 1)]
+        turns = [math.dist(place(*first), place(*last)) < SAME_ON_PAGE < math.dist(place(*first), place(0.3, 0.3))
+                 for first, last in (((0, 0.7), (1, 0.7)), ((0.7, 0), (0.7, 1)))]  # fmt: skip
+        rows, columns = (FACES_OF_TURN if turn else SURFACE_FACES for turn in turns)
+        grid = [[place(m / rows, n / columns) for n in range(columns + 1)] for m in range(rows + 1)]
         patch(self.sketch, self.system.view, self.system.page, grid)
 
     def chain(self, line: FigureLine) -> None:
@@ -125,6 +128,9 @@ class DeclaredParts:
         )
         if line.kind in (Drawn.SPRINGS, Drawn.DAMPERS):
             (draw_spring if line.kind is Drawn.SPRINGS else draw_damper)(self.sketch, points[0], points[-1])
+            letter = self.coefficient(line.kind)
+            if letter is not None and letter.name not in self.system.hidden:
+                self.sketch.label_beside(letter, points[0], points[-1], optional=True, clear=0.12)
         elif line.kind is Drawn.OUTLINES:
             self.sketch.face(points, LIGHT)
         elif line.kind is Drawn.GROUND:
@@ -134,6 +140,27 @@ class DeclaredParts:
         else:
             self.sketch.line(points, _STROKES[line.kind])
         self.busy += pairwise(points)
+
+    def coefficient(self, kind: Drawn) -> sp.Symbol | None:
+        """The stiffness of the only spring that is drawn, or the coefficient of the only damper: that of the potential,
+        or of the force with a velocity, which is proportional to it.
+        """
+        problem = self.system.problem
+        if sum(line.kind is kind for line in problem.figure.lines) != 1:
+            return None
+        if kind is Drawn.SPRINGS:
+            sizes: list[tuple[sp.Expr, ...]] = [(f.energy,) for f in problem.forces if isinstance(f, Potential)]
+        else:
+            speeds = {*problem.slots.velocities}
+            vectors = [f.vector.fixed() for f in problem.forces if isinstance(f, AppliedForce)]
+            sizes = [v.components for v in vectors if v.as_sum().free_symbols & speeds]
+        found = [
+            p.symbol
+            for p in problem.parameters
+            for size in sizes
+            if all(sp.expand(c - p.symbol * sp.expand(c).coeff(p.symbol)) == 0 for c in size)
+        ]
+        return found[0] if len(found) == 1 else None
 
     def string(self, line: FigureLine) -> list[PagePoint]:
         """The way of a string, around pulleys where it meets them."""
@@ -163,12 +190,12 @@ class DeclaredParts:
         ]
         self.sketch.face(corners, 4)
 
-    def points(self) -> None:
+    def points(self, called: Callable[[str], sp.Expr | str]) -> None:
         """The lettered points."""
         for name, place in self.system.figure_places.items():
             at = self.page(place)
             self.sketch.dot(at, PARTICLE * 0.6)
-            self.sketch.label(name.replace("_", " "), at, (0.6, 0.8), clear=PARTICLE, optional=True)
+            self.sketch.label(called(name), at, (0.6, 0.8), clear=PARTICLE, optional=True)
 
     def marks(self) -> None:
         """Angles, lengths and arrows."""
@@ -210,12 +237,19 @@ class DeclaredParts:
         if apart(a, b) < 0.2:
             return
         if mark.kind is Drawn.ARROWS:
-            self.sketch.arrow(a, b, StrokeKind.AXIS)
+            self.sketch.arrow(a, b, StrokeKind.FORCE if self.is_force(mark.label) else StrokeKind.AXIS)
             self.sketch.label(self.short(mark.label), b, toward(a, b), optional=True)
             return
         if not any(_along((a, b), other) for other in self.busy):
             self.sketch.dimension(a, b)
         self.sketch.label_beside(mark.label, a, b, optional=True)
+
+    def is_force(self, label: sp.Expr) -> bool:
+        """Whether a label is made of the letters of applied forces, as W or F cos ωt."""
+        loads = self.system.configuration.loads
+        letters = {s for f in loads for s in f.vector.fixed().as_sum().free_symbols}
+        letters -= {s for p in self.system.configuration.points for s in p.position.fixed().as_sum().free_symbols}
+        return bool(label.free_symbols & letters) and not isinstance(label, UnitVector)
 
     def short(self, label: sp.Expr) -> sp.Expr:
         """The name of an axis without that of its body, where there is only one."""

@@ -20,9 +20,9 @@ from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
 from lagrange.pictures.implied.body_shapes import is_bar, with_implied_shapes
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
-from lagrange.pictures.loads import Acting, Arrows, acting_on
+from lagrange.pictures.loads import Acting, Arrows, acting_on, as_words
 from lagrange.pictures.shapes import in_space, plane_rotation
-from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, farthest, left_of, toward
+from lagrange.pictures.sketch import BAR, PARTICLE, Sketch, apart, beyond, farthest, left_of, toward
 from lagrange.pictures.solids import TURN, across
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Outline
@@ -69,7 +69,7 @@ def supported_rod_scene(
         return None
     for name, place in places.items():
         sketch.dot(page(place))
-        sketch.label(name.replace("_", " "), page(place), (0.0, -1.0), clear=PARTICLE)
+        sketch.label(as_words(name), page(place), (0.0, -1.0), clear=PARTICLE)
     return sketch.scene(notation)
 
 
@@ -103,7 +103,7 @@ def _panel(system: SystemPicture, body: FreeBody, notation: Notation) -> Scene |
         _arrow(sketch, system, a, radius if crowded and not turning else 0.0, used, scale)
     x, y = -sum(w[0] for _, w in used), -sum(w[1] for _, w in used)
     prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 0.3 else (0.8, 0.5)
-    sketch.label(body.name.replace("_", " "), (0.0, 0.0), prefer, clear=radius)
+    sketch.label(as_words(body.name), (0.0, 0.0), prefer, clear=radius)
     return sketch.scene(notation)
 
 
@@ -222,10 +222,10 @@ def _outline(
         start, end = max(pairs, key=lambda p: apart(*p))
         side = left_of(toward((0, 0), far))
         if all(abs(h[0] * side[0] + h[1] * side[1]) < 0.06 for h in held):
-            sketch.capsule(start, end, 0.12)
+            sketch.capsule(start, end, BAR)
         elif is_bar(system, body.name):  # bent
             for h in held:
-                sketch.capsule((0.0, 0.0), h, 0.12)
+                sketch.capsule((0.0, 0.0), h, BAR)
         else:
             reach = max(math.hypot(*h) for h in held) + 0.18
             way = toward((0, 0), far)

@@ -47,6 +47,8 @@ curve would wind inside it."""
 CURVE_STEPS = 64
 SURFACE_FACES = 14
 """Pieces of a curve, and of a surface in each direction."""
+FACES_OF_TURN = 36
+"""Faces of a surface all around an axis: at 10 degrees its rim looks round."""
 PIECES_OF_PROFILE, PIECES_OF_TURN = 10, 24
 """Pieces of a surface of coordinates along a distance, and of a turn: at 15 degrees its rim looks round."""
 BEYOND_PARTICLE = 1.35
@@ -70,3 +72,15 @@ LEAST_SLOPE, STEEPEST_SLOPE = 0.07, 1.4
 steeper one is a wall."""
 SLOPE_ARC = 0.85
 """Radius of that arc, in centimetres: there the letter is clear of the hatching down to 15 degrees."""
+
+# Letters of lengths
+
+VARIATION = 0.17
+"""By what part of themselves the values of parameters are changed to see whether a length changes with them: enough
+that no two lengths stay equal, and little enough that the constraints can still be satisfied."""
+MOST_PLACES = 40
+"""Places between which a length is sought: 780 pairs take a few milliseconds."""
+MOST_OPTIONS = 16
+"""Places tried for one letter, the best first; a letter without room at so many is left out."""
+DIMENSION_ROWS = (0.35, 0.55, 0.8, 1.1)
+"""Distances of a dimension line from what it measures, in centimetres: room for a letter in between, and for others."""

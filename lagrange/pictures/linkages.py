@@ -40,21 +40,6 @@ class Links:
     held: Mapping[str, tuple[FloatVector, ...]]
     rods: tuple[tuple[FloatVector, FloatVector], ...]
 
-    def lengths(self, system: SystemPicture) -> Iterator[tuple[FloatVector, FloatVector, sp.Symbol]]:
-        """The links, and the arms from mass centres to what bodies carry, whose length is a parameter, with their ends.
-
-        A length is the only parameter with that value.
-        """
-        if not system.is_bare or not system.view.planar:
-            return
-        chains = (ends for ends in self.held.values() if len(ends) == 2)
-        centres = {p.name: system.pose.at(p.position) for p in system.configuration.points}
-        arms = ((centres[name], place) for name, places in system.carried.items() for place in places)
-        for first, second in (*self.rods, *chains, *arms):
-            symbol = parameter_of(system, math.dist(first, second))
-            if symbol is not None:
-                yield first, second, symbol
-
 
 def links(system: SystemPicture) -> Links:
     """The links of a plane mechanism."""

@@ -10,15 +10,18 @@ particle in small steps, each brought back onto the curve by Newton's iteration,
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
+from itertools import pairwise
 
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified, VectorSymbol
+from lagrange.core.symbols import Unspecified, VectorSymbol, t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import Box, PagePoint, StrokeKind
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -29,7 +32,8 @@ from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, pl
 from lagrange.pictures.limits import CURVE_STEP, LONGEST_FORCE_LABEL, MOST_CURVE_STEPS
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import force_and_moment, plane_rotation, reaction_point
-from lagrange.pictures.sketch import Sketch, beyond, scaled, toward
+from lagrange.pictures.sketch import Sketch, beyond, crossing, lies_on, scaled, toward
+from lagrange.pictures.solids import across
 from lagrange.pictures.systems import SystemPicture, ends_of, with_other_values
 from lagrange.problem.keys import Outline
 from lagrange.problem.model import AppliedForce, Friction
@@ -154,7 +158,7 @@ def _loads(system: SystemPicture, name: str) -> Iterator[Acting]:
             continue
         if any(c.has(Unspecified) for c in load.vector.components):
             alone = sum(other.on == name for other in system.configuration.loads) == 1
-            label = VectorSymbol(f"F_{name}") if alone else as_words(load.name)
+            label = named_force(name if alone else load.name)
             yield Acting(name, label, _SOMEWHERE[not system.view.planar], StrokeKind.FORCE)
             continue
         pose = _posed(system, load.vector, load.point - centre)
@@ -165,15 +169,31 @@ def _loads(system: SystemPicture, name: str) -> Iterator[Acting]:
 
 
 def force_label(load: Load, only_friction: str) -> sp.Expr | str:
-    """The magnitude of a load if that is short; otherwise its name, or what it is where there is no other friction."""
+    """The magnitude of a load if that is short; otherwise the vector F with its name, or what it is where there is no
+    other friction. A force P along a unit vector is drawn for P > 0.
+    """
     parts = [c for c in load.vector.components if c != 0]
     if len(parts) == 1:
         size = -parts[0] if parts[0].could_extract_minus_sign() else parts[0]
     else:
         size = sp.sqrt(textbook_form(load.vector.dot(load.vector)))
-    if count_operations(size) <= LONGEST_FORCE_LABEL and not size.has(sp.cos, sp.sin) and not size.has(sp.Abs):
+    unsigned = {a: a.args[0] for a in size.atoms(sp.Abs) if a.args[0].is_Symbol}
+    size = size.xreplace(unsigned)
+    turns = any(not f.args[0].has(t) for f in size.atoms(sp.cos, sp.sin))
+    if count_operations(size) <= LONGEST_FORCE_LABEL and not turns and not size.has(sp.Abs):
         return size
-    return "friction" if load.name == only_friction else as_words(load.name)
+    return "friction" if load.name == only_friction else named_force(load.name)
+
+
+def named_force(name: str) -> sp.Expr:
+    """The vector F with the name of a force as its index."""
+    return VectorSymbol(f"F_{name}")
+
+
+def without_velocities(vector: Vector, system: SystemPicture) -> Vector:
+    """What is left of a force or moment at rest: of that of a motor and its resistance, that of the motor."""
+    slots = system.configuration.slots
+    return vector.fixed().map(lambda c: c.xreplace(dict.fromkeys(slots.velocities, sp.S.Zero)))
 
 
 def _pulls(system: SystemPicture, name: str) -> Iterator[Acting]:
@@ -184,7 +204,7 @@ def _pulls(system: SystemPicture, name: str) -> Iterator[Acting]:
                 first, second = ends_of(link, configuration, system.pose)
                 away = minus(first, second)
                 pull = _pull(link, system.pose)
-                label = pull if count_operations(pull) <= LONGEST_FORCE_LABEL else as_words(link.name)
+                label = pull if count_operations(pull) <= LONGEST_FORCE_LABEL else named_force(link.name)
                 yield Acting(name, label, (sign * away[0], sign * away[1], sign * away[2]), StrokeKind.FORCE)
             elif not isinstance(own, str) and _moves(system, own):
                 raise NoValueError("a spring fastened next to a particle")
@@ -238,7 +258,56 @@ def _rest(system: SystemPicture, body: FreeBody) -> list[Acting]:
     direction = _posed(system, vector).at(vector)
     if math.hypot(*direction) < 1e-9:
         return []
-    return [Acting(body.name, "friction" if others else "−∇V", direction, StrokeKind.FORCE)]
+    if others:
+        return [Acting(body.name, friction_label(system, others[0]), direction, StrokeKind.FORCE)]
+    return [*_of_field(system, body.name, vector)]
+
+
+def _of_field(system: SystemPicture, name: str, vector: Vector) -> Iterator[Acting]:
+    """The force −∇V, or those of the springs that V is made of, each with its magnitude where that is short."""
+    components = vector.fixed().components
+    axes = [n for n, c in enumerate(components) if c != 0]
+    alone = not any(load.on == name for load in system.configuration.loads)
+    if len(axes) > 1:
+        size = sp.sqrt(textbook_form(vector.dot(vector)))
+        label = size if _is_short(size) else named_force(name) if alone else "−∇V"
+        yield Acting(name, label, _posed(system, vector).at(vector), StrokeKind.FORCE)
+        return
+    terms = _by_parameter(sp.expand(components[axes[0]]), system)
+    pose = _posed(system, vector)
+    beside = replace(pose, values=dict(pose.values) | {q: pose.values[q] + 0.3 for q in pose.coordinates})
+    for stiffness, stretch in terms:
+        here = next((x for x in (pose, beside) if abs(x.number(stretch)) > 1e-9), None)
+        if here is None:
+            continue
+        value_ = here.number(stiffness * stretch)
+        size = stiffness * sp.expand(-stretch if value_ < 0 else stretch)
+        label = size if _is_short(size) else named_force(name) if alone and len(terms) == 1 else "−∇V"
+        way = tuple(math.copysign(1.0, value_) if n == axes[0] else 0.0 for n in range(3))
+        yield Acting(name, label, way, StrokeKind.FORCE)  # type: ignore[arg-type]
+
+
+def _by_parameter(whole: sp.Expr, system: SystemPicture) -> list[tuple[sp.Expr, sp.Expr]]:
+    """A force as those of springs, each of which is its stiffness times a stretch: c x and c_1 (x - y)."""
+    parameters = [p.symbol for p in system.problem.parameters if whole.has(p.symbol)]
+    terms = [(k, whole.coeff(k)) for k in parameters if not whole.coeff(k).free_symbols & {*parameters}]
+    terms = [(k, rest) for k, rest in terms if rest != 0]
+    return terms if terms and sp.expand(whole - sp.Add(*(k * c for k, c in terms))) == 0 else [(sp.S.One, whole)]
+
+
+def _is_short(size: sp.Expr) -> bool:
+    return bool(count_operations(size) <= LONGEST_FORCE_LABEL and not size.has(sp.cos, sp.sin, sp.exp, sp.Abs))
+
+
+def friction_label(system: SystemPicture, name: str) -> sp.Expr | str:
+    """μ N where one force N presses, μ |N| where that may have either sign; otherwise the word."""
+    rough = next((f for f in system.problem.forces if isinstance(f, Friction) and f.name == name), None)
+    pressing = {r.name: r for r in system.newton.reactions}
+    reaction = None if rough is None or len(rough.constraints) != 1 else pressing.get(rough.constraint)
+    if rough is None or reaction is None or not rough.coefficient.is_Symbol:
+        return "friction"
+    size = reaction.force if reaction.constraint.side is not None else sp.Abs(reaction.force)
+    return rough.coefficient * size
 
 
 def _friction_at_rest(system: SystemPicture, name: str) -> Iterator[Acting]:
@@ -291,8 +360,15 @@ def _times_size(unknown: sp.Symbol, direction: Vector | None) -> sp.Expr:
     return unknown * size if size.is_Symbol or size.is_Integer else unknown
 
 
+_NUMBERED = re.compile(r"([A-Z])(\d+)")
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
 def as_words(name: str) -> str:
-    """A name from a problem file as it is written in a picture."""
+    """A name from a problem file as it is written in a picture: P₁, the lying part."""
+    numbered = _NUMBERED.fullmatch(name)
+    if numbered:
+        return numbered[1] + numbered[2].translate(_LOWERED)
     return name.replace("_", " ").replace(".", " ")
 
 
@@ -301,6 +377,9 @@ def as_words(name: str) -> str:
 
 ARROW = 1.15
 """Length of the arrows of unit vectors and loads, in centimetres."""
+MOMENT = 0.85
+TURN_OF_MOMENT = 1.9
+"""Radius of the arrow of a moment, in centimetres, outside of the arcs of angles; and how far it turns."""
 _SOLID = (Outline.BOX, Outline.DISC, Outline.SPHERE)
 
 
@@ -324,8 +403,70 @@ class Arrows:
             for acting in given_loads(self.system, name):
                 self.load(acting)
 
+    def given(self) -> None:
+        """The forces that the file gives by their letters, P or F cos ωt, where free bodies show all forces."""
+        named = {f.name for f in self.system.problem.forces if isinstance(f, AppliedForce)}
+        drawn = {str(m.label) for m in self.system.marks}
+        for load in self.system.configuration.loads:
+            vector = without_velocities(load.vector, self.system)
+            if load.name not in named or vector.is_zero or vector != load.vector.fixed() or load.on not in self.places:
+                continue
+            label = force_label(load, "")
+            if isinstance(label, sp.Expr) and str(label) not in drawn:
+                with suppress(NoValueError):
+                    pose = _posed(self.system, load.vector)
+                    where = minus(pose.at(load.point), self.places[load.on])
+                    self.load(Acting(load.on, label, pose.at(load.vector), StrokeKind.FORCE, where))
+
+    def moments(self) -> None:
+        """The applied moments that have a letter, as arrows around their bodies."""
+        drawn = {str(m.label) for m in self.system.marks}
+        for torque in self.system.configuration.torques:
+            vector = without_velocities(torque.vector, self.system)
+            parts = [c for c in vector.components if c != 0]
+            if len(parts) != 1 or count_operations(parts[0]) > LONGEST_FORCE_LABEL or torque.on not in self.places:
+                continue
+            label = -parts[0] if parts[0].could_extract_minus_sign() else parts[0]
+            if str(label) not in drawn and not label.has(sp.sin, sp.cos):
+                drawn.add(str(label))  # of an internal moment only one of the two
+                with suppress(NoValueError):
+                    self.moment(label, _posed(self.system, vector).at(vector), self.places[torque.on])
+
+    def moment(self, label: sp.Expr, vector: FloatVector, at: FloatVector) -> None:
+        """One of them: an arc where it crosses least in the plane, an ellipse around the axis in space."""
+        middle = self.flat(at)
+        if self.system.view.planar:
+            sense = math.copysign(1.0, inner(vector, self.system.view.toward_reader))
+            arcs = (self._arc(middle, math.pi * n / 6, sense) for n in range(12))
+            arc = min(arcs, key=lambda points: sum(map(self._crossed, pairwise(points))))
+            self.sketch.arc(arc, StrokeKind.FORCE)
+            self.sketch.label(label, arc[12], toward(middle, arc[12]), optional=True)
+            return
+        u, v = across(unit(vector))
+        along = toward((0.0, 0.0), self.page.way(vector))
+        ways = [beyond(scaled(self.page.way(u), math.cos(s)), self.page.way(v), math.sin(s)) for s in
+                (math.pi * (-0.8 + 1.6 * k / 24) for k in range(25))]  # fmt: skip
+        free = [d for d in (0.6, -0.6, 0.9, -0.9, 1.2, -1.2, 0.0) if self.is_on_line(beyond(middle, along, d))]
+        centre = beyond(middle, along, (free or [0.6])[0])
+        arc = [beyond(centre, w, 0.42) for w in ways]
+        self.sketch.arc(arc, StrokeKind.FORCE)
+        self.sketch.label(label, arc[12], toward(centre, arc[12]), optional=True)
+
+    def _arc(self, middle: PagePoint, start: float, sense: float) -> list[PagePoint]:
+        turns = (start + sense * TURN_OF_MOMENT * k / 24 for k in range(25))
+        return [beyond(middle, (math.cos(a), math.sin(a)), MOMENT) for a in turns]
+
+    def _crossed(self, piece: tuple[PagePoint, PagePoint]) -> int:
+        lines = (*self.sketch.lines, *(face for _, face in self.sketch.filled))
+        return sum(crossing(piece, other) is not None for line in lines for other in line.pieces)
+
+    def is_on_line(self, at: PagePoint) -> bool:
+        """Whether a straight line is drawn through a place."""
+        lines = (line for line in self.sketch.lines if line.kind in (StrokeKind.ROD, StrokeKind.BODY))
+        return any(lies_on(at, *piece) for line in lines for piece in line.pieces)
+
     def load(self, acting: Acting) -> None:
-        """One of them; moments are not drawn."""
+        """One of them; moments are drawn apart."""
         if acting.is_moment:
             return
         start = self.flat(plus(self.places[acting.on], acting.offset))
@@ -346,7 +487,16 @@ class Arrows:
             return False
         inside = self.page.way(minus(NOWHERE, acting.offset))
         way = self.page.way(acting.vector)
-        return inner(way, inside) > 0.2 * math.hypot(*way) * math.hypot(*inside)
+        into = inner(way, inside) / math.hypot(*way)
+        if shape.kind is Outline.BOX:
+            turning = next((r for r in self.system.configuration.rotations if r.name == acting.on), None)
+            axes = [self.pose.at(a) for a in turning.axes[:2]] if turning is not None else [(1.0, 0, 0), (0, 1.0, 0)]
+            sides = [
+                abs(inner(unit(acting.vector), a) * self.system.number(x))
+                for a, x in zip(axes, shape.lengths, strict=True)
+            ]
+            return into > 0.95 * sum(sides) / 2
+        return into > 0.2 * math.hypot(*inside)
 
     def impulses(self) -> None:
         """The blows of an impact, each as an arrow that ends where it strikes."""

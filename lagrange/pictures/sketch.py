@@ -24,6 +24,8 @@ from lagrange.pictures.limits import SAME_ON_PAGE
 PARTICLE = 0.085
 HINGE = 0.06
 """Radii of dots, in centimetres."""
+BAR = 0.07
+"""Half the width of a bar: a ladder of that width does not seem to pierce the wall on which it leans."""
 HATCH = 0.14
 """Distance between the strokes behind a line that does not move."""
 # Centimetres of type at 11 pt, rather too large: a label must not touch its neighbours in any font.
@@ -33,9 +35,14 @@ SMALL_LETTER = 0.15
 SPACE = 0.1
 CLEAR = 0.03
 """Height of a label, widths of its characters, and the space around it."""
-_REACHES = (0.1, 0.15, 0.22, 0.32, 0.45, 0.6, 0.8, 1.0, 1.3, 1.7)
+APART = 0.12
+"""How near to another arrow than its own a label may be, in centimetres: nearer it would seem to belong to that."""
+REACHES = (0.1, 0.15, 0.22, 0.32, 0.45, 0.6, 0.8, 1.0, 1.3, 1.7)
+NEAR = (0.06, 0.1, 0.15, 0.22, 0.3)
+"""How far from its line a letter still belongs to it, in centimetres."""
 # The preferred direction, then alternately to both sides of it in steps of 18°, at last the opposite one.
 _TURNS = tuple(sign * k * math.pi / 10 for k in range(11) for sign in ((1, -1) if 0 < k < 10 else (1,)))
+_ARROWS = (StrokeKind.AXIS, StrokeKind.FORCE, StrokeKind.REACTION)
 _INDEX = re.compile(r"_[^\W_]+(?:[._][^\W_]+)*")
 _COMBINING = re.compile("[\u0300-\u036f]")
 _RAISED = "₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ"
@@ -48,12 +55,18 @@ class LabelRequest:
     anchors   points next to which it may be placed, each with the preferred direction
     clear     least distance from the anchor
     optional  whether the picture makes sense without it
+    lines     what is drawn with it, and not without it: a dimension line
+    reaches   distances from the anchor that are tried
+    instead   other requests, tried in turn where there is no place for this one
     """
 
     content: sp.Expr | str
     anchors: tuple[tuple[PagePoint, PagePoint], ...]
     clear: float = 0.0
     optional: bool = False
+    lines: tuple[Polyline, ...] = ()
+    reaches: tuple[float, ...] = REACHES
+    instead: tuple[LabelRequest, ...] = ()
 
 
 def size(content: sp.Expr | str, notation: Notation) -> tuple[float, float]:
@@ -71,19 +84,30 @@ def size(content: sp.Expr | str, notation: Notation) -> tuple[float, float]:
 
 def placed(
     wanted: Iterable[LabelRequest], lines: Sequence[Polyline], dots: Sequence[Dot], notation: Notation
-) -> tuple[Label, ...] | None:
-    """The labels in their places; None if there is no place for a required one."""
+) -> tuple[tuple[Label, ...], tuple[Polyline, ...]] | None:
+    """The labels in their places, and the lines drawn with them; None if there is no place for a required one."""
     pieces = [piece for line in lines for piece in line.pieces]
+    arrows = [line.pieces[0] for line in lines if line.kind in _ARROWS and line.tip and len(line.points) == 2]
     taken = [_around(d) for d in dots]
     labels: list[Label] = []
-    for w in wanted:
-        label = _first_free(w, size(w.content, notation), pieces, taken)
-        if label is not None:
-            labels.append(label)
-            taken.append(label.box)
-        elif not w.optional:
-            return None
-    return tuple(labels)
+    drawn: list[Polyline] = []
+    for w in sorted(wanted, key=lambda w: w.optional and isinstance(w.content, str)):  # names of points find a place
+        for tried in (w, *w.instead):
+            own = [piece for line in tried.lines for piece in line.pieces]
+            if any(label.box.grown(CLEAR).is_crossed(*piece) for label in labels for piece in own):
+                continue
+            extent, free = size(tried.content, notation), [*pieces, *own]
+            label = _first_free(tried, extent, free, taken, arrows) or _first_free(tried, extent, free, taken)
+            if label is not None:
+                labels.append(label)
+                taken.append(label.box)
+                pieces += own
+                drawn += tried.lines
+                break
+        else:
+            if not w.optional:
+                return None
+    return tuple(labels), tuple(drawn)
 
 
 def _around(dot: Dot) -> Box:
@@ -96,9 +120,12 @@ def _first_free(
     extent: tuple[float, float],
     pieces: Sequence[tuple[PagePoint, PagePoint]],
     taken: Sequence[Box],
+    arrows: Sequence[tuple[PagePoint, PagePoint]] = (),
 ) -> Label | None:
+    """The first place that is free and, of arrows, near those alone that begin, end or lead on at the anchor."""
     width, height = extent
-    for reach in _REACHES:
+    others = [a for a in arrows if not any(lies_on(at, *a) for at, _ in wanted.anchors)]
+    for reach in wanted.reaches:
         for turn in _TURNS:
             for (x, y), (dx, dy) in wanted.anchors:
                 angle = math.atan2(dy, dx) + turn
@@ -106,7 +133,9 @@ def _first_free(
                 away = wanted.clear + reach + _support(c, s, width, height)
                 label = Label(wanted.content, (x + away * c, y + away * s), width, height)
                 box = label.box.grown(CLEAR)
-                if not any(box.overlaps(b) for b in taken) and not any(box.is_crossed(a, b) for a, b in pieces):
+                if any(box.overlaps(b) for b in taken) or any(box.is_crossed(a, b) for a, b in pieces):
+                    continue
+                if not any(box.grown(APART).is_crossed(*a) for a in others):
                     return label
     return None
 
@@ -217,6 +246,21 @@ def farthest(points: list[PagePoint]) -> tuple[PagePoint, PagePoint]:
     return max(pairs, key=lambda p: apart(*p))
 
 
+def dimension_lines(a: PagePoint, b: PagePoint) -> list[Polyline]:
+    """The line of a length, with a stroke across each of its ends."""
+    side = left_of(toward(a, b))
+    strokes = ((beyond(end, side, 0.09), beyond(end, side, -0.09)) for end in (a, b))
+    return [Polyline(points, StrokeKind.DIMENSION) for points in ((a, b), *strokes)]
+
+
+def beside(
+    a: PagePoint, b: PagePoint, parts: Sequence[float] = (0.5, 0.4, 0.6, 0.3, 0.7)
+) -> tuple[tuple[PagePoint, PagePoint], ...]:
+    """Anchors of a label next to the line from a to b, on either side, if possible at its middle."""
+    side = left_of(toward(a, b))
+    return tuple((along(a, b, part), s) for part in parts for s in (side, (-side[0], -side[1])))
+
+
 @dataclass
 class Sketch:
     """The lines and dots drawn so far, and the labels to be placed."""
@@ -259,18 +303,14 @@ class Sketch:
         self, content: sp.Expr | str, a: PagePoint, b: PagePoint, optional: bool = False, clear: float = 0.0
     ) -> None:
         """A label next to the line from a to b, on either side, if possible at its middle."""
-        side = left_of(toward(a, b))
-        other = (-side[0], -side[1])
-        parts = (0.5, 0.4, 0.6, 0.3, 0.7)
-        anchors = tuple((along(a, b, part), s) for part in parts for s in (side, other))
-        self.wanted.append(LabelRequest(content, anchors, clear, optional))
+        self.wanted.append(LabelRequest(content, beside(a, b), clear, optional))
 
     def scene(self, notation: Notation) -> Scene | None:
         """The picture; None if there is no place for a required label."""
         faces = [face for _, face in sorted(self.filled, key=lambda f: f[0])]
         lines = (*faces, *self.lines)
-        labels = placed(self.wanted, [line for line in lines if line.kind not in FAINT], self.dots, notation)
-        return None if labels is None else Scene(lines, tuple(self.dots), labels)
+        found = placed(self.wanted, [line for line in lines if line.kind not in FAINT], self.dots, notation)
+        return None if found is None else Scene((*lines, *found[1]), tuple(self.dots), found[0])
 
     # Shapes made of lines
 
@@ -370,10 +410,7 @@ class Sketch:
 
     def dimension(self, a: PagePoint, b: PagePoint) -> None:
         """The line of a length, with a stroke across each of its ends."""
-        side = left_of(toward(a, b))
-        self.line([a, b], StrokeKind.DIMENSION)
-        for end in (a, b):
-            self.line([beyond(end, side, 0.09), beyond(end, side, -0.09)], StrokeKind.DIMENSION)
+        self.lines += dimension_lines(a, b)
 
     def circle(self, centre: PagePoint, radius: float, shade: int, kind: StrokeKind = StrokeKind.BODY) -> None:
         """A circle with its inside."""

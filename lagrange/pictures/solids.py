@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from lagrange.core.records import record
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.pictures.floats import FloatVector, inner, outer, plus, unit
-from lagrange.pictures.sketch import Sketch, apart, beyond
+from lagrange.pictures.sketch import BAR, Sketch, apart, beyond
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.keys import Outline
 from lagrange.problem.model import BodyShape
@@ -113,7 +113,7 @@ class Solids:
             case Outline.ROD:
                 a, b = (self.system.at(end) for end in shape.ends)
                 if self.system.view.planar:
-                    self.sketch.capsule(page(a), page(b), 0.09)
+                    self.sketch.capsule(page(a), page(b), BAR)
                 else:
                     self.sketch.line([page(a), page(b)], StrokeKind.ROD)
             case Outline.BOX:

@@ -35,6 +35,7 @@ from lagrange.pictures.declared import patch
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, place, plus, projected, unit
 from lagrange.pictures.implied.guides import surface_of_coordinates
 from lagrange.pictures.limits import SAME_PLACE
+from lagrange.pictures.loads import as_words
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.sketch import PARTICLE, Sketch, toward
 from lagrange.pictures.systems import SystemPicture
@@ -139,7 +140,7 @@ def surface_scene(solution: Solution, notation: Notation) -> Scene | None:
         _arrow(sketch, surface, here, possible, VectorSymbol(f"d(r_{point.name})"), StrokeKind.FORCE)
         sketch.line([surface.page(virtual), surface.page(plus(virtual, surface.moves, _SHIFT))], StrokeKind.REFERENCE)
         _arrow(sketch, surface, here, moved, _carried(solution), StrokeKind.AXIS)
-    sketch.label(point.name.replace("_", " "), at, (-0.6, 0.8), clear=PARTICLE, optional=True)
+    sketch.label(as_words(point.name), at, (-0.6, 0.8), clear=PARTICLE, optional=True)
     return sketch.scene(notation)
 
 
@@ -229,7 +230,7 @@ def surface_free_body(solution: Solution, notation: Notation) -> Scene | None:
             vector = unit(place(load.vector, dict.fromkeys(symbols, 1.0)))
         end = surface.page(plus(here, vector, 1.2))
         sketch.arrow(at, end, StrokeKind.FORCE)
-        called = UnitVector(f"F_{point.name}") if len(loads) == 1 else load.name.replace("_", " ")
+        called = UnitVector(f"F_{point.name}") if len(loads) == 1 else as_words(load.name)
         sketch.label(called, end, toward(at, end), optional=True)
     if any(isinstance(f, Friction) for f in solution.problem.forces):
         back, ahead = surface.page(plus(here, way, -1.1)), surface.page(plus(here, way, 0.9))
@@ -237,7 +238,7 @@ def surface_free_body(solution: Solution, notation: Notation) -> Scene | None:
         sketch.label("friction", back, toward(at, back), optional=True)
         sketch.line([at, ahead], StrokeKind.REFERENCE)
         sketch.label("velocity", ahead, toward(at, ahead), optional=True)
-    sketch.label(point.name.replace("_", " "), at, (-0.7, 0.5), clear=PARTICLE, optional=True)
+    sketch.label(as_words(point.name), at, (-0.7, 0.5), clear=PARTICLE, optional=True)
     return sketch.scene(notation)
 
 

@@ -7,6 +7,7 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 
@@ -27,8 +28,10 @@ from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
 from lagrange.pictures.implied.body_shapes import has_axle, is_bar, with_implied_shapes
 from lagrange.pictures.implied.curves import ConstraintCurves
-from lagrange.pictures.implied.guides import couplers, cylinders_touched, hoops, struts
+from lagrange.pictures.implied.directions import draw_directions
+from lagrange.pictures.implied.guides import couplers, cylinders_touched, hoops, ropes_to_supports, struts
 from lagrange.pictures.implied.halves import halves
+from lagrange.pictures.implied.lengths import Lengths
 from lagrange.pictures.implied.lettered import lettered, rods_between_letters
 from lagrange.pictures.implied.rods_at_rest import around as around_rods
 from lagrange.pictures.implied.rods_at_rest import draw_rods
@@ -37,11 +40,14 @@ from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.joints import holds
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
 from lagrange.pictures.linkages import links
-from lagrange.pictures.loads import ARROW, Arrows, as_words
+from lagrange.pictures.loads import ARROW, Arrows, as_words, force_label
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import (
+    BAR,
     HINGE,
+    NEAR,
     PARTICLE,
+    LabelRequest,
     Sketch,
     apart,
     beyond,
@@ -62,6 +68,8 @@ from lagrange.pictures.systems import ROD, SystemPicture, is_string, rod_ends
 from lagrange.problem.model import BodyShape, Drawn, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
+LETTER = re.compile(r"[A-Z]\d*|[a-z]")
+"""The name of a point that is no word."""
 ELLIPSOID = (0.75, 0.55, 0.4)
 """Semi-axes of a body of which nothing is known, in centimetres."""
 
@@ -75,8 +83,14 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
             compass = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
             circles = [*hoops(implied), *cylinders_touched(implied), *halves(implied)]
             circles += [((0.0, 0.0, 0.0), radius_of_disc(implied, [*turning_guides(implied)]))]
+            ropes = [end for end, _ in ropes_to_supports(implied)]
             rods = around_rods(implied.problem, implied.pose, implied.rods_at_rest)
-            around = (*in_space.places, *rods, *(plus(c, (r * x, r * y, 0.0)) for c, r in circles for x, y in compass))
+            around = (
+                *in_space.places,
+                *ropes,
+                *rods,
+                *(plus(c, (r * x, r * y, 0.0)) for c, r in circles for x, y in compass),
+            )
             drawing = _Drawing(replace(implied, around=around) if inferred else implied, in_space)
             drawing.all(with_loads, inferred)
         except NoValueError:
@@ -102,9 +116,11 @@ class _Drawing:
         self.busy: list[tuple[PagePoint, PagePoint]] = []
         self.links = links(system)
         self.boards: Mapping[str, PagePoint] = {}
+        self.weighs = False
         self.supports = Supports(system, self.sketch, self.busy, (), self.downward)
 
     def all(self, with_loads: bool, with_inferred: bool) -> None:
+        self.weighs = with_loads and "loads" not in self.hidden
         declared = DeclaredParts(self.system, self.sketch, self.busy)
         declared.all()
         self.rods()
@@ -146,21 +162,26 @@ class _Drawing:
             if with_inferred:
                 self.in_space.draw(self.system, self.sketch)
         self.sketch.cut_grounds([*self.supports.touched, *map(self.flat, self.places.values())])
-        declared.points()
+        declared.points(self.called)
         self.particles()
         arrows = Arrows(self.system, self.sketch, self.places)
         if with_loads and "loads" not in self.hidden:
             arrows.loads()
+        elif "loads" not in self.hidden:
+            arrows.given()
+        if "loads" not in self.hidden:
+            arrows.moments()
         arrows.impulses()
         declared.marks()
-        for first, second, length in self.links.lengths(self.system):
-            self.sketch.label_beside(length, self.flat(first), self.flat(second), optional=True, clear=0.1)
         if with_inferred:
             mark_slopes(self.system, self.sketch, self.downward)
         coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places, self.links)
         coordinates.all()
         if "axes" not in self.hidden:
             self.axes(coordinates.feet)
+        Lengths(self.system, self.sketch, self.busy).all()
+        draw_directions(self.system, self.sketch, self.busy)
+        self.masses()
         if "gravity" not in self.hidden:
             arrows.gravity()
         if "origin" not in self.hidden:
@@ -234,6 +255,12 @@ class _Drawing:
                 self.busy.append(ends)
         for first, _, _ in rods:
             self.sketch.hinge(self.flat(first))
+        for support, ring in ropes_to_supports(self.system):
+            ends = self.flat(support), self.flat(ring)
+            self.sketch.line([*ends], StrokeKind.STRING)
+            self.busy.append(ends)
+            self.sketch.hinge(ends[0])
+            self.mounts.append(ends[0])
         self.between_letters()
         self.mounts += draw_guides(self.system, self.sketch, self.busy)
 
@@ -442,11 +469,11 @@ class _Drawing:
             self.sketch.line([centre, beyond(centre, toward((0, 0), e1), radius)], StrokeKind.GUIDE)
         elif held and in_line(centre, held):
             a, b = farthest([centre, *held])
-            self.sketch.capsule(a, b, 0.12)
+            self.sketch.capsule(a, b, BAR)
             self.busy.append((a, b))
         elif held and is_bar(self.system, p.name):  # bent
             for end in held:
-                self.sketch.capsule(centre, end, 0.12)
+                self.sketch.capsule(centre, end, BAR)
                 self.busy.append((centre, end))
         elif len(held) == 2:
             self.on_two_feet(p.name, centre, held)
@@ -521,7 +548,36 @@ class _Drawing:
             x, y = -sum(w[0] for w in ways), -sum(w[1] for w in ways)
             prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 1e-3 else (0.7, 0.7)
             if not self.is_between_letters(p.name):
-                self.sketch.label(as_words(p.name), at, prefer, clear=PARTICLE, optional=True)
+                self.sketch.label(self.called(p.name), at, prefer, clear=PARTICLE, optional=True)
+
+    def called(self, name: str) -> sp.Expr | str:
+        """The letter of a point; in the place of a word, the mass that nothing else has and no weight arrow shows."""
+        masses = {p.name: self.mass(p) for p in self.system.configuration.points}
+        mass = masses.get(name)
+        if mass is None or LETTER.fullmatch(name) or [*masses.values()].count(mass) > 1:
+            return as_words(name)
+        return as_words(name) if self.weighs and self.is_weighed(name, mass) else mass
+
+    def is_weighed(self, name: str, mass: sp.Expr) -> bool:
+        """Whether the arrow of a force on a body shows its mass."""
+        labels = (force_label(f, "") for f in self.system.configuration.loads if f.on == name)
+        return any(isinstance(label, sp.Expr) and label.free_symbols & mass.free_symbols for label in labels)
+
+    def mass(self, p: MassPoint) -> sp.Expr | None:
+        """The mass of a particle or body, or the moment of inertia of one that only turns, if it is a letter."""
+        turning = plane_rotation(self.system.configuration, p.name)
+        size = p.mass if p.mass != 0 or turning is None else turning.inertia.moments[2]
+        own = {s.symbol for s in self.system.problem.parameters}
+        return size if size.free_symbols and size.free_symbols <= own and count_operations(size) <= 1 else None
+
+    def masses(self) -> None:
+        """The masses that no label has yet, at their particles and bodies."""
+        written = {s for w in self.sketch.wanted if isinstance(w.content, sp.Expr) for s in w.content.free_symbols}
+        for p in self.system.configuration.points:
+            mass = self.mass(p)
+            if mass is not None and p.name not in self.hidden and not mass.free_symbols & written:
+                at = self.boards.get(p.name, self.flat(self.places[p.name]))
+                self.sketch.wanted.append(LabelRequest(mass, ((at, (0.7, -0.7)),), PARTICLE, True, reaches=NEAR[:3]))
 
     def is_between_letters(self, name: str) -> bool:
         """Whether a particle is the centre of the rod BC between two points that have their letters."""

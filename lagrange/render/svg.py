@@ -33,6 +33,8 @@ _PIECE = re.compile(
     rf"(?P<index>_[^\W_]+(?:[._][^\W_]+)*|[{''.join(_LOWERED)}]+)"
     r"|(?P<word>[A-Za-z]{2,})|(?P<letter>[^\W\d_][\u0300-\u036f]*)|(?P<other>.)"
 )
+_INDEX = re.compile("[₀-₉]+$")
+"""The number of a point P₁."""
 _UPRIGHT = {"sin", "cos", "tan", "cot", "exp", "log"}
 
 
@@ -68,7 +70,7 @@ def spans(text: str) -> str:
     code, lowered = "", False
     for piece in _PIECE.finditer(text.replace(" (", "(")):
         if piece["index"]:
-            inner = "".join(_LOWERED.get(c, c) for c in piece[0].removeprefix("_"))
+            inner = "".join(_LOWERED.get(c, c) for c in piece[0].removeprefix("_")).replace("_", " ")
             slanted = ' class="i"' if len(inner) == 1 and inner.isalpha() else ""
             # `dy` moves all text after it, so what follows an index has to be raised again.
             code += f'<tspan{slanted} dy="{0 if lowered else 4}" font-size="75%">{escape(inner)}</tspan>'
@@ -85,7 +87,8 @@ def spans(text: str) -> str:
 def content_of(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
     """A label as the content of a `text` element."""
     if isinstance(content, str):
-        return escape(printable(content))
+        return _INDEX.sub(lambda m: f'<tspan dy="4" font-size="75%">{"".join(_LOWERED[c] for c in m[0])}</tspan>',
+                          escape(printable(content)))  # fmt: skip
     if isinstance(content, UnitVector | VectorSymbol):
         text = write(content)
         lead = text[:1] if content.name.startswith(("d(", "delta(")) else ""

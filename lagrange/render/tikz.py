@@ -6,6 +6,8 @@ that a picture can be changed by hand.
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Callable, Iterator
 from itertools import groupby
 
@@ -56,7 +58,10 @@ def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
 
 
 def _words(text: str) -> str:
-    """A word; the force −∇V is a formula."""
+    """A word, or a point with a number; the force −∇V is a formula."""
+    index = re.search("[₀-₉]+$", text)
+    if index:
+        return f"{escape(text[: index.start()])}$_{{{unicodedata.normalize('NFKC', index[0])}}}$"
     return r"$-\nabla V$" if text == "−∇V" else escape(text)
 
 

@@ -127,6 +127,7 @@ SPELLED = [
     (sp.exp(-gamma * t), "exp(-gamma*t)", "e^(−γ t)", r"\mathrm{e}^{-\gamma t}"),
     (sp.Abs(x), "abs(x)", "|x|", r"\lvert x \rvert"),
     (sp.sign(D(x)), "sign(x')", "sgn(ẋ)", r"\operatorname{sgn}(\dot{x})"),
+    (2 * (x + y) ** 2, "2*(x + y)^2", "2 (x + y)²", "2 (x + y)^{2}"),
     (sp.atan2(y, x), "atan2(y, x)", "atan2(y, x)", r"\operatorname{atan2}(y, x)"),
     (sp.Function("G")(x), "G(x)", "G(x)", r"\operatorname{G}(x)"),
     (f, "f(x - u*t, y, z)", "f(x − u t, y, z)", "f(x - u t, y, z)"),

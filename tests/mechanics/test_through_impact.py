@@ -86,7 +86,7 @@ def test_the_ballistic_pendulum_in_its_angle() -> None:
     assert after is not None
     assert [c.coordinates for c in after.problem.choices] == [(sp.Symbol("theta", real=True),)]
     titles = [s.title for s in report.derivation.steps]
-    assert titles.index("The motion after the impact") < titles.index("Question: swing")
+    assert titles.index("The motion after the impact") < titles.index("Extreme value of the angle")
 
 
 FLOOR = """

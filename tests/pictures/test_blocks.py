@@ -155,7 +155,7 @@ def test_a_wedge_reaches_down_to_its_floor_and_carries_the_end_of_its_spring() -
     scene = drawn("A block on a wedge", WEDGE)
     [wedge] = [line.points for line in scene.lines if line.closed and len(line.points) == 3]
     [ground] = [line.points for line in scene.lines if line.kind is StrokeKind.GROUND]
-    [name] = [label for label in scene.labels if label.content == "wedge"]
+    [name] = [label for label in scene.labels if str(label.content) == "M"]
     assert min(y for _, y in wedge) == pytest.approx(ground[0][1])
     assert abs(name.at[1] - ground[0][1]) < 0.5
 

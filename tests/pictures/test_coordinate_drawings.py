@@ -43,7 +43,7 @@ def test_a_dumbbell_is_drawn_with_its_mass_centre_and_its_two_angles() -> None:
     choice = scenes("chapter6/ex04-dumbbell")[-1]
     at = {str(label.content): label.at for label in choice.labels}
     assert {"x_C", "y_C", "z_C", "theta", "phi", "C"} <= set(at)
-    assert at["P2"][1] > at["theta"][1] > at["phi"][1] > at["z_C"][1]
+    assert at["P₂"][1] > at["theta"][1] > at["phi"][1] > at["z_C"][1]
 
 
 TRAMMEL = """

@@ -11,9 +11,11 @@ import pytest
 import lagrange
 from lagrange.document.scene import FAINT, Box, PagePoint, Polyline, Scene, StrokeKind
 from lagrange.mechanics.solution import kinematics_and_law
+from lagrange.pictures.loads import as_words
 from lagrange.pictures.sketch import Sketch
 from tests.support.drawings import figures
-from tests.support.figure_sheet import figures_of
+from tests.support.figure_sheet import figures_of, solution_for_figures
+from tests.support.letters import labels_of, names_of, of_forces, of_geometry, written
 from tests.support.shared import SHIPPED
 from tests.support.unpictured import UNPICTURED
 
@@ -62,6 +64,42 @@ def test_labels_are_on_nothing(name: str) -> None:
 def test_no_line_ends_in_mid_air(name: str) -> None:
     for scene in figures(name)[:1]:
         assert [end for end in _ends(scene) if not _is_held(end, scene)] == []
+
+
+NOT_SHOWN = {
+    "a constant of the function of a surface, of a curve, or of a given motion": {
+        **{key: {"c"} for key in ("ex02-fixed-surface", "ex08-displacements-on-a-surface", "ex09-moving-surface")},
+        **{key: {"c"} for key in ("ex12-smooth-surface", "ex13-moving-surface", "turning-parabola")},
+        "ex17-spherical-pendulum": {"a", "b", "omega"},
+        "pendulum-on-a-shaken-pivot": {"a", "w"},
+        "rotating-unbalance": {"w"},
+        "kapitza-pendulum": {"Omega", "a"},
+        "gyrocompass": {"Omega"},
+        "bead-on-lemniscate": {"a"},
+        "crest-of-a-hill": {"a", "h"},
+    },
+    "the length of a whole string": {
+        **{key: {"L"} for key in ("swinging-atwood", "drawbridge", "three-weights")},
+        "double-atwood": {"d"},
+    },
+    "there is no room": {
+        "whipple-bicycle": {"h_B", "h_H", "x_B", "x_H"},
+        "coin-on-shaken-table": {"R"},  # seen along its plane
+    },
+    "a force inside of a rope": {"hawser-on-a-bollard": {"T"}},
+}
+"""Letters that no figure has, by the reason and the problem."""
+
+
+@pytest.mark.parametrize("name", [n for n in SHIPPED if n not in WITHOUT])
+def test_a_figure_has_the_letters_of_the_text_and_no_others(name: str) -> None:
+    """Lengths of what is drawn anywhere, applied forces in the first figure, where they act."""
+    solution, scenes = solution_for_figures(name), figures(name)
+    excused = set().union(*(problems.get(name, set()) for problems in NOT_SHOWN.values()))
+    assert of_geometry(solution) - written(scenes) - excused == set()
+    assert of_forces(solution) - written(scenes[:1]) - excused == set()
+    known = names_of(solution)
+    assert labels_of(scenes) - known - {*map(as_words, known)} == set()
 
 
 @pytest.mark.parametrize("name", UNPICTURED)

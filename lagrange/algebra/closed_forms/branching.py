@@ -19,7 +19,7 @@ from itertools import islice, product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
-from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned
+from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned, wave
 from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.limits import (
     MOST_BRANCH_POINTS,
@@ -56,6 +56,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
     split_at_divisors,
     verified,
     with_divisors,
+    with_equal_angles,
     with_known_values,
     without_cancelled,
     without_repetitions,
@@ -119,7 +120,7 @@ def _solutions(
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
         alike = merged_branches([with_known_values(b, letters, unknowns) for b in merged_branches(some)])
-        parts = [part for b in alike for part in determined(b, letters, unknowns)]
+        parts = [with_equal_angles(part, letters, unknowns) for b in alike for part in determined(b, letters, unknowns)]
         return without_repetitions(with_shortest_conditions(parts))
 
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
@@ -232,8 +233,10 @@ class _BranchSearch:
                 if zero is None:
                     state = replace(state, stuck=(*state.stuck, e))
                     continue
-                relation = self._for_parameters(e, state)
-                if relation is None:
+                relation = self._for_parameters(e)
+                if relation is not None and relation in state.relations:
+                    continue  # a symmetric system says it twice
+                if relation is None or state.special:
                     return None
                 state = replace(state, special=True, relations=(*state.relations, relation))
                 continue
@@ -301,9 +304,9 @@ class _BranchSearch:
         reduced = self.letters.reduced(e)
         return reduced if reduced == 0 or not self.letters.unknowns_in(reduced) else e
 
-    def _for_parameters(self, e: sp.Expr, state: State) -> Relation | None:
+    def _for_parameters(self, e: sp.Expr) -> Relation | None:
         """An equation between parameters alone, where these may satisfy it."""
-        if state.special or e.is_number:
+        if e.is_number:
             return None
         pieces = irreducible_factors(e) or []
         # Only if exactly one factor can vanish is there one relation between the parameters to state.
@@ -379,6 +382,7 @@ class _BranchSearch:
         fewer = (
             turned(state, self.letters)
             or self._of_powers(state)
+            or wave(state, self.letters)
             or linear(state, self.letters, self.first, with_unknowns=True)
             or parallel(state, self.letters)
             or on_circle(state, self.letters)

@@ -4,6 +4,7 @@ linear      x from a(y) x + b(y) = 0; where a vanishes, that is a state of its o
 turned      θ from θ = ψ + α
 parallel    β = α and β = α + π from sin(α − β) = 0
 on_circle   θ from a cos θ = p(ψ), a sin θ = q(ψ): p² + q² = a²
+wave        sin θ from a₁(y) sin θ + b₁(y) = 0 and a₂(y) sin θ + b₂(y) = 0: a₁ b₂ = a₂ b₁
 """
 
 from __future__ import annotations
@@ -133,11 +134,32 @@ def _as_linear(e: sp.Expr, u: sp.Symbol, letters: TrigLetters) -> tuple[sp.Expr,
     return (poly.coeff_monomial(u), poly.coeff_monomial(1)) if poly.degree() == 1 else None
 
 
+def wave(state: State, letters: TrigLetters) -> list[State]:
+    """The state with an equation in one unknown beside two equations that are linear in one wave of an angle.
+
+    A rod with both ends on a circle: y² − 2a y sin θ + a² = R² and y² + 2b y sin θ + b² = R² give y.
+    """
+    circular = [(u, f) for u, a in letters.angles.items() if u not in state.solved for f in a.letters]
+    for first, second in combinations(state.equations, 2):
+        for u, f in circular:
+            one, other = _as_linear(first, f, letters), _as_linear(second, f, letters)
+            if one is None or other is None:
+                continue
+            (a, b), (c, d) = one, other
+            crossed = sp.expand(a * d - b * c)
+            others = letters.unknowns_in(crossed)
+            if crossed == 0 or len(others) != 1 or u in others or any(crossed == e for e in state.equations):
+                continue
+            return [replace(state, equations=(crossed, *state.equations))]
+    return []
+
+
 def on_circle(state: State, letters: TrigLetters) -> list[State]:
     """The state after eliminating an angle whose cosine and sine two equations give, where one other angle is left.
 
-    Two rods between fixed hinges: 2 cos α = 1 + 3 cos β and 2 sin α = 3 sin β. With numbers only: with letters the
-    equations, and when their triangle closes (`existence`), say more than roots of roots.
+    Two rods between fixed hinges: 2 cos α = 1 + 3 cos β and 2 sin α = 3 sin β. With letters only where what remains is
+    as short as l cos β = a for rods of equal length: otherwise the equations, and when their triangle closes
+    (`existence`), say more.
     """
     for pair in combinations(state.equations, 2):
         for u in [u for u in letters.unknowns if u in letters.angles and u not in state.solved]:
@@ -147,7 +169,9 @@ def on_circle(state: State, letters: TrigLetters) -> list[State]:
             cosine, sine = given
             closing = letters.shortest(sp.expand(cosine**2 + sine**2 - 1))
             others = letters.unknowns_in(closing)
-            if len(others) > 1 or any(letters.of_unknowns.get(s) not in others for s in closing.free_symbols):
+            circular = {s for s in closing.free_symbols if s in letters.of_unknowns}
+            in_numbers = circular == closing.free_symbols
+            if len(others) > 1 or not (in_numbers or _gives_one_term(closing, circular)):
                 continue
             angle = letters.angles[u]
             values = dict(zip(angle.letters, given, strict=True))
@@ -163,6 +187,14 @@ def on_circle(state: State, letters: TrigLetters) -> list[State]:
                 )
             ]
     return []
+
+
+def _gives_one_term(closing: sp.Expr, circular: set[sp.Symbol]) -> bool:
+    """Whether an equation gives one cosine or sine as a product: a² = a l cos β."""
+    if len(circular) != 1 or sp.Poly(closing, *circular).degree() != 1:
+        return False
+    rate, rest = sp.Poly(closing, *circular).all_coeffs()
+    return not any(part.is_Add for part in sp.fraction(sp.cancel(rest / rate)))
 
 
 def _given_point(pair: Sequence[sp.Expr], u: sp.Symbol, letters: TrigLetters) -> tuple[sp.Expr, sp.Expr] | None:

@@ -77,6 +77,15 @@ def square_root(e: sp.Expr) -> sp.Expr:
     return outside / outside_below * sp.sqrt(inside) / sp.sqrt(inside_below)
 
 
+def other_wave(value: sp.Expr) -> sp.Expr:
+    """√(1 − s²) of a sine s, up to sign; √(d² − n²)/d where s = n/d with a root d, so that no root is of what is
+    negative."""
+    above, below = sp.fraction(sp.together(value))
+    if any(f.is_Pow and f.exp == sp.S.Half and f.base.is_Add for f in sp.Mul.make_args(below)):
+        return square_root(sp.expand(below**2 - above**2)) / below
+    return square_root(1 - value**2)
+
+
 def _square_part(product: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """A, B with product = A² B."""
     outside, inside = [], []

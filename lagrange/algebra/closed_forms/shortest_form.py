@@ -176,7 +176,7 @@ def with_differences_of_squares(e: sp.Expr) -> sp.Expr:
         if n != m or not (a.is_Add and b.is_Add and len(a.args) == len(b.args) == 2) or other not in factors:
             continue
         total, difference = (a + b) / 2, (a - b) / 2
-        is_plain = not total.is_number or (difference**2).base.is_Symbol  # 1 − μ², but not 1 − cos² θ
+        is_plain = not total.is_number or (difference**2).as_base_exp()[0].is_Symbol  # 1 − μ², but not 1 − cos² θ
         if one in factors and not total.is_Add and not difference.is_Add and is_plain:
             factors.remove(one)
             factors[factors.index(other)] = (total**2 - difference**2) ** n

@@ -219,6 +219,8 @@ def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | Non
     numerator, denominator = sp.fraction(sp.together(value))
     if sign_of(denominator) == -1:
         numerator, denominator = -numerator, -denominator
+    if (squares := _difference_of_squares(numerator, denominator)) is not None:
+        return not_negative(squares)
     if sign_of(denominator) is None:  # d² − n² ≥ 0 has one factor of known sign: a/(a − l) with l > 0
         for one, other in ((1, -1), (-1, 1)):
             sign = sign_of(denominator + one * numerator)
@@ -231,6 +233,14 @@ def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | Non
     if below and above:
         return (SignCondition(sp.Abs(value), "≤", sp.S.One),)
     return (*below, *above)
+
+
+def _difference_of_squares(numerator: sp.Expr, denominator: sp.Expr) -> sp.Expr | None:
+    """d² − n² where d is a root, and no root is left: 4 R² − (a + b)² for (a − b)/(2 √(R² − a b)); otherwise None."""
+    if not any(f.is_Pow and f.exp == sp.S.Half and f.base.is_Add for f in sp.Mul.make_args(denominator)):
+        return None
+    squares = sp.expand(denominator**2 - numerator**2)
+    return None if any(not p.exp.is_Integer for p in squares.atoms(sp.Pow)) else squares
 
 
 def always_holds(c: SignCondition) -> bool:

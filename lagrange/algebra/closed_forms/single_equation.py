@@ -26,6 +26,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import (
     factored_quotient,
     irreducible_factors,
     numerator,
+    other_wave,
     polynomial_roots,
     square_root,
 )
@@ -235,7 +236,7 @@ def _of_one_function(f: sp.Expr, angle: LetteredAngle, function: type[sp.Expr]) 
         conditions = between_minus_one_and_one(v.value if v.stated is None else v.stated)
         if conditions is None:
             continue
-        rest = square_root(1 - v.value**2)
+        rest = other_wave(v.value)
         relation = Relation(function(angle.measure) ** v.power, v.stated if v.stated is not None else v.value)
         both = tuple({letter: v.value, other: sign * rest} for sign in (1, -1))
         roots.append(Root((relation,), both, (*v.conditions, *conditions), {letter: v.value}))
@@ -343,7 +344,7 @@ def _squared(f: sp.Expr, angle: LetteredAngle) -> list[Root] | None:
             return None
         for v in values:
             sine = _quotient(-a, b, {c: v.value})
-            both = [sine] if sine is not None else [sign * square_root(1 - v.value**2) for sign in (1, -1)]
+            both = [sine] if sine is not None else [sign * other_wave(v.value) for sign in (1, -1)]
             conditions = between_minus_one_and_one(v.value)
             for value in both if conditions is not None else ():
                 relations = (Relation(sp.cos(angle.measure), v.value), Relation(sp.sin(angle.measure), value))

@@ -416,6 +416,20 @@ def determined(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -
     return [b]
 
 
+def with_equal_angles(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> Branch:
+    """β = α instead of sin β = sin α, where cos α and cos β have one value; and with sine and cosine exchanged."""
+    plain = [u for u in unknowns if u in letters.angles and letters.angles[u].measure == u]
+    for u, v in combinations(plain, 2):
+        for one, other in ((sp.cos, sp.sin), (sp.sin, sp.cos)):
+            values = {r.lhs: r.rhs for r in b.relations}
+            equal = next((w for w in ((u, v), (v, u)) if values.get(other(w[0])) == other(w[1])), None)
+            if equal is None or one(u) not in values or values[one(u)] != values.get(one(v)):
+                continue
+            kept = (r for r in b.relations if r.lhs not in (one(v), other(equal[0])))
+            b = replace(b, relations=(*kept, Relation(v, u)))
+    return b
+
+
 def _of_two_signs(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> list[sp.Symbol]:
     """The angles that are given by one function of theirs."""
     stated = [f.args[0] for r in b.relations for f in [r.lhs.as_base_exp()[0]] if isinstance(f, CIRCULAR)]

@@ -102,7 +102,8 @@ def in_two(condition: Fragment) -> list[Fragment]:
 
 
 _IN_CASE = re.compile(
-    rf"\A(?P<condition>.*?{_SIGN}.*?)(?P<case>[\s,$(]*(?<![^\W\d_]){WHEN}\s+\$?[^=$]*?{_SIGN}[^$]*\$?\s*\)?)[\s.]*\Z",
+    rf"\A(?P<condition>.*?{_SIGN}.*?)(?P<case>[\s,$(]*(?<![^\W\d_]){WHEN}\s+\$?[^=$]*?{_SIGN}[^$]*\$?\s*\)?"
+    rf"|\s\(\s*[^=$()]*{_SIGN}[^$()]*\))[\s.]*\Z",
     re.DOTALL | re.IGNORECASE,
 )
 

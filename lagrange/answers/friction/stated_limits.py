@@ -23,7 +23,7 @@ from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
-from lagrange.expressions.reader import read_value
+from lagrange.expressions.reader import is_inequality, read_value
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 from lagrange.mechanics.results import Solution
@@ -59,6 +59,20 @@ def chains_that_differ(stated: Sequence[Fragment], reference: Reference) -> Answ
         if sides_agree(draft.finished(latex=is_latex(f)), reference) is False:
             parts.append(EquationVerdict.of(" ".join(f.text.split()), Verdict.WRONG, NOT_EQUAL))
     return AnswerVerdict(Verdict.WRONG, tuple(parts), name="rest", diagnosis=NOT_EQUAL) if parts else None
+
+
+def with_limits_put_in(answer: Sequence[Fragment]) -> list[Fragment]:
+    """`P_min <= P <= P_max` with the values that other lines give the two."""
+    values = {m["name"]: m["value"].strip(" $.,;") for f in answer if (m := _STATED_LIMIT.match(f.text))}
+    if not values:
+        return [*answer]
+    made = []
+    for f in answer:
+        draft = Draft(f)
+        if is_inequality(f) and draft.replace(_MARKED, lambda m: f"({values[m[0]]})" if m[0] in values else None):
+            f = draft.finished(latex=is_latex(f))
+        made.append(f)
+    return made
 
 
 def are_reversed(
@@ -131,6 +145,10 @@ _EQUALS = re.compile(r"(?<![<>!=:])=(?![=>])|\\approx(?![A-Za-z])|≈")
 _INEQUALITY = re.compile(r"[<>]=?|[≤≥]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])")
 _SENSES = {"min": ">=", "max": "<="}
 _OPPOSITE = {"min": "<=", "max": ">="}
+_MARKED = re.compile(
+    r"(?<![A-Za-z0-9\\])[^\W\d_]{1,8}_(?:min|max)(?![A-Za-z])|\\?[A-Za-z]{1,8}_\{\\?(?:min|max|text\{max\}|text\{min\})\}"
+)
+_STATED_LIMIT = re.compile(rf"[\s$]*(?P<name>{_MARKED.pattern})\s*&?=(?!=)(?P<value>[^=<>≤≥]+)\Z")
 _EXTREMUM = re.compile(
     r"(?P<name>\\?[^\W\d_]+?(?:_?[0-9])?)(?:_?\s*\{?\s*\\?(?:text|mathrm|rm)?\s*\{?\s*(?P<which>min|max)[a-z]{0,4}\s*\}?\s*\}?)?"
 )

@@ -360,7 +360,7 @@ class AskedClaim:
 
     def _same(self, claim: sp.Expr, value: sp.Expr) -> bool | None:
         """Whether two values are equal, those of an angle modulo 2π."""
-        value = value.xreplace(self.values)
+        value = value.xreplace(dict(self.asked.related)).xreplace(self.values)
         if value.has(sp.I) and decimals_in([claim]) and not value.free_symbols:
             value = sp.Rational(str(sp.re(value.evalf(30))))  # √(−2)/√(−3) of a quotient that is known to be positive
         difference = claim.xreplace(self.values) - value

@@ -260,8 +260,11 @@ _SIGN = re.compile(r"(?<![<>!=:])==?(?![=>])|≈|\\approx(?![A-Za-z])")
 NOT_EQUAL = "its sides are not equal to one another"
 
 
-def sides_agree(fragment: Fragment, reference: Reference) -> bool | None:
-    """Whether the sides of a chain that are values agree; None if there are not two of them, or it is not known."""
+def sides_agree(fragment: Fragment, reference: Reference, asked: Collection[sp.Symbol] = ()) -> bool | None:
+    """Whether the sides of a chain that are values agree; None if there are not two of them, or it is not known.
+
+    asked  parameters in which the chain is an equation, `m g h = 2 m g R + m v^2/2 = 5/2 m g R`, and no value
+    """
     places = cuts(fragment.text, _SIGN)
     if not 2 < len(places) <= MOST_IN_CHAIN:
         return None
@@ -273,6 +276,8 @@ def sides_agree(fragment: Fragment, reference: Reference) -> bool | None:
         except ProblemError:
             continue
         if not isinstance(value, Vector) and as_written(value).free_symbols <= parameters and not _is_name(value):
+            if not value.free_symbols.isdisjoint(asked):
+                continue
             values.append(value.xreplace(dict(reference.values)))
     agree = [_same(a, values[-1]) for a in values[:-1]]
     return None if not agree or None in agree else all(agree)

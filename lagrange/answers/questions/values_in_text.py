@@ -312,7 +312,7 @@ def asked_in_text(
         named = [name for name in named if name in about] or named
         named = _labels_before(fragment, questions) or _of_function(named, fragment, questions, reference)
         judged = [(name, v) for name, v in compared if v.verdict not in _NO_ANSWER and name in named]
-        if right and sides_agree(fragment, reference) is False:
+        if right and sides_agree(fragment, wider, {a.question.quantity for a in questions}) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
         elif right:
             answered |= {name for name, _ in right}
@@ -379,14 +379,19 @@ _PLACE_OF_VALUE = re.compile(r"this is the value where (?P<name>\w+) = (?P<value
 
 
 def _is_right_where_stated(fragment: Fragment, diagnosis: str) -> bool:
-    """Whether the line of a value says that it is for the place at which it is right: `Top (θ = π): N = ...`."""
+    """Whether the line of a value says that it is for the place at which it is right: `At the top θ = π: N = ...`."""
     place = _PLACE_OF_VALUE.search(diagnosis)
     if place is None:
         return False
     text, at = fragment.whole.source.text, fragment.span(0, len(fragment.text)).start
-    before = "".join(f" {GREEK[c]} " if c in GREEK else c for c in text[text.rfind("\n", 0, at) + 1 : at])
-    stated = rf"\(\s*(?:at\s+)?\\?{re.escape(place['name'])}\s*=\s*\\?{re.escape(place['value'])}\s*\)\s*:"
-    return re.search(stated, before) is not None
+    line, begin = text[text.rfind("\n", 0, at) + 1 :].partition("\n")[0], text.rfind("\n", 0, at) + 1
+    spelled = ["".join(f" {GREEK[c]} " if c in GREEK else c for c in part) for part in (line[: at - begin], line)]
+    name = rf"(?<![\w/*^]){re.escape(place['name'])}\s*=\s*\\?"
+    value = rf"{re.escape(place['value'])}(?![\w/*^])"
+    before = re.findall(rf"{name}[^=]{{1,20}}", spelled[0])
+    if before:  # the last place that is named counts
+        return re.match(rf"{name}{value}\s*(?:\)|\$|:|,)", before[-1]) is not None
+    return re.search(rf"\b(?:at|where|when|for|if)\s+\$?\\?{name}{value}", spelled[1]) is not None
 
 
 _POTENTIAL = re.compile(r"[\s$&]*(?:\\mathcal\s*\{?\s*)?(?P<name>[VU])\s*\}?\s*(?:\([^()=]{0,20}\))?\s*&?=(?!=)")

@@ -86,17 +86,33 @@ def _pulls_at_zero(V: sp.Expr, coordinates: set[sp.Symbol]) -> bool:
 
 def of_another_balance(wrong: Sequence[Sequence[sp.Expr]], configuration: Configuration) -> str:
     """Which other balance the one wrong equation is, in a sentence; empty if of none that is known."""
-    if len(wrong) != 1 or len(wrong[0]) != 1 or len(configuration.slots.coordinates) != 1:
+    bound = _bound(configuration)
+    free = [q for q in configuration.slots.coordinates if q not in bound]
+    if len(wrong) != 1 or len(wrong[0]) != 1 or len(free) != 1:
         return ""
-    [[equation]] = wrong
-    [q] = configuration.slots.coordinates
+    [[equation]], [q] = wrong, free
+    equation = equation.xreplace(bound)
     try:
-        for balance, said in _balances(configuration):
+        for balance, said in ((b.xreplace(bound), said) for b, said in _balances(configuration)):
             if q in balance.free_symbols and sp.count_ops(balance) <= LONGEST_BALANCE and _same(equation, balance, q):
                 return said
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         pass
     return ""
+
+
+def _bound(configuration: Configuration) -> dict[sp.Basic, sp.Expr]:
+    """The coordinates that finite constraints give as functions of one other, s = 2 r cos θ."""
+    coordinates = [*configuration.slots.coordinates]
+    rule: dict[sp.Basic, sp.Expr] = {}
+    for f in configuration.finite_constraints:
+        for q in coordinates:
+            slope = f.diff(q)
+            if q not in rule and slope != 0 and slope.free_symbols.isdisjoint(coordinates):
+                rule[q] = -f.xreplace({q: sp.S.Zero}) / slope
+                break
+    kept = {q for q in coordinates if q not in rule}
+    return rule if all(v.free_symbols & {*coordinates} <= kept for v in rule.values()) else {}
 
 
 def _same(equation: sp.Expr, balance: sp.Expr, q: sp.Symbol) -> bool:

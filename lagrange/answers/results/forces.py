@@ -175,13 +175,15 @@ def kept_from_start(
             continue
         fragment = equations[n]
         if not isinstance(fragment, GivenEquation) or len(fragment.reading.components) != 1:
-            return verdict
+            continue
         [equation] = fragment.reading.components
         kept = next(filter(None, (_kept_sense(c, equation, start) for c in reference.candidates)), None)
         if kept is None:
-            return verdict
+            continue
         remark = f"{text(kept)} > 0 from the start on, and for this sense it is right"
         judged[n] = EquationVerdict(e.text, Verdict.EQUIVALENT, remarks=(remark,))
+    if any(e.verdict is Verdict.WRONG for e in judged):  # something else, as a solution y = f(t)
+        return replace(verdict, equations=tuple(judged))
     return replace(verdict, verdict=Verdict.EQUIVALENT, equations=tuple(judged), missing=0, diagnosis="")
 
 

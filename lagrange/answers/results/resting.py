@@ -177,7 +177,9 @@ class Resting:
 
         number = 0
         likeliest = sorted(MODELS, key=lambda n: (n.name in _LESS_LIKELY) - (n.name in _LIKELIER))
-        for model in (*likeliest, Model("force left out in one equation", in_one_equation_only)):
+        if not self.rows:  # of coordinates that constraints bind nobody writes an equation each
+            likeliest.append(Model("force left out in one equation", in_one_equation_only))
+        for model in likeliest:
             for variation in model.changes(m):
                 changed = variation.mechanics
                 if changed is None or variation.quasi is not None or changed.kept != m.kept:

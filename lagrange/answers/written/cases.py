@@ -43,7 +43,8 @@ from lagrange.answers.references import Reference
 from lagrange.answers.written.decimals import numbers_rounding_to
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
-from lagrange.core.symbols import Decimal
+from lagrange.core.symbols import Decimal, base
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import closings, cuts
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.mechanics.dynamics.comparison import Standing, compare
@@ -403,7 +404,25 @@ def _of_line(line: str, alone: bool) -> str:
 
 _CASE = re.compile(
     r"(?:\b(?:for|if|when|where|in\s+(?:the|a)\s+(?:special\s+|limiting\s+)?case(?:\s+(?:of|that|where))?|case|check|setting"
-    r"|wenn|für|falls|bei|im\s+fall|pour|si|at)\b|\\text\s*\{\s*(?:for|if|when|where|at)\s*\})[\s,:($\\]*\Z",
+    r"|wenn|für|falls|bei|im\s+fall|pour|si|at)\b|\\text\s*\{\s*(?:for|if|when|where|at)\s*\})[\s,:($\\]*\Z"
+    r"|\b(?:if|when|case|wenn|falls|si|lorsque)\s(?:[^\W\d_][\w-]*,?\s+){2,16}(?:then|dann|alors|i\.\s?e\.|that\s+is,?)[\s$]*\Z"
+    r"|\b(?:if|case|falls|si)\s(?:[^\W\d_][\w-]*\s+){2,16}[^\W\d_][\w-]*,[\s$]*\Z"
+    r"|\b(?:circle|circular|steady|uniform|at\s+(?:constant|rest))\b[^.=;]{0,60}:[\s$\\(\[]*\Z"
+    r"|\b(?:for|in|on)\s+(?:a|an|the|such\s+a)\s+(?:[^\W\d_]+\s+){0,3}(?:circles?|circular\s+\w+|steady\s+\w+)[\s,$]*\Z"
+    r"|\b(?:on|at|in)\s+(?:the|its)\s+(?:[^\W\d_]+\s+){1,3}[\s$(]*\Z",
+    re.IGNORECASE,
+)
+"""What precedes a case: `if`, `if the rope is pulled in steadily then`, `Circle at constant height:`,
+`for a circle`, `at the top`."""
+_LIMIT = re.compile(
+    r"\b(?:for|as|when|if|limit|case|für|wenn|pour)\b[^=.;]{0,30}?(?<![\w\\])(?P<name>\\?[^\W\d_]\w{0,12})[\s$]*"
+    r"(?:→|->|⟶|\\(?:to|rightarrow|longrightarrow)(?![A-Za-z]))[\s$]*(?:∞|\\infty|inf(?:inity|ty)?\b|0(?![\w.]))(?:(?!\.\s).)*\Z",
+    re.IGNORECASE | re.DOTALL,
+)
+"""A limit for which everything after it on a line is said: `for M → ∞, `."""
+_PLACE = re.compile(
+    r"\b(?:on|at|in|where|when|for|bei|für|pour)\s(?:[^\W\d_]+\s+){0,4}[\s$(]*(?P<name>\\?[^\W\d_]\w{0,12})\s*=\s*"
+    r"[-−]?(?:[0-9]{1,3}|\\?pi|π)(?:/[0-9]{1,2})?(?:\s*(?:°|deg))?[\s$)]*:[\s$]*\Z",
     re.IGNORECASE,
 )
 _JOINS = re.compile(
@@ -426,7 +445,7 @@ def about_special_cases(
         for n in range(min(cases) + 1, len(equations)):
             if n - 1 in cases and _gives_parameter(equations[n][1], reference):
                 cases.add(n)
-    special: set[int] = set()
+    special = {n for n, (f, _) in enumerate(equations) if _in_limit(f, reference)} - cases
     for n in cases:
         case = equations[n][0].span(0, len(equations[n][0].text))
         before = [m for m in range(n) if m not in cases]
@@ -448,6 +467,14 @@ def _before(fragment: Fragment) -> str:
     span = fragment.span(0, len(fragment.text))
     text = span.source.text[: span.start]
     return text[max(text.rfind("\n") + 1, span.start - LONGEST_BEFORE_CASE) :]
+
+
+def _in_limit(fragment: Fragment, reference: Reference) -> bool:
+    """Whether what is said holds where a parameter is very large or very small, or at a place: `at the top x = 0: `."""
+    before = _before(fragment)
+    limit, place = _LIMIT.search(before), _PLACE.search(before)
+    names = ["".join(GREEK.get(c, c) for c in m["name"].lstrip("\\")) if m else "" for m in (limit, place)]
+    return names[0] in reference.parameters or names[1] in reference.coordinates
 
 
 def _gives_parameter(reading: Reading, reference: Reference) -> bool:
@@ -493,10 +520,11 @@ def _is_case(reading: Reading, reference: Reference) -> bool:
     if reading.error is not None or len(reading.components) != 1:
         return False
     (e,) = reading.components
-    used = e.free_symbols - {*reference.parameters.values()}
+    given = {*reference.parameters.values(), *reference.scope.slots.prescribed}
+    used = {s for s in e.free_symbols if base(s) not in given}
     if not used:
         return bool(e.free_symbols)
-    if e in {*reference.scope.slots.velocities, *reference.scope.slots.accelerations}:
+    if e.free_symbols <= {*reference.scope.slots.velocities, *reference.scope.slots.accelerations}:
         return True
     if not used <= {*reference.scope.slots.coordinates} or len(used) != 1:
         return False

@@ -24,6 +24,7 @@ die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeb
 est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
 otherwise else sonst sinon ansonsten got hi hello but however instead rather aber sondern
 its your my follows follow it i.e e.g eq eqn or
+ put try suppose assume guess seek insert trial ansatz
  energy kinetic potential lagrangian euler lagrange linear linearised linearized
 small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
 constraint constraints rolling condition relation at ode odes differential second order system be case gleichung

@@ -21,9 +21,11 @@ from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_
 from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.answers.written.notation.rare import name_of_extreme, ratios_of, tuples_of
+from lagrange.answers.written.numbering import without_numbers
 from lagrange.answers.written.values import (
     CONDITIONAL,
     STABILITY,
+    WHEN,
     exact_results,
     with_claim_last,
     with_equality,
@@ -39,7 +41,8 @@ from lagrange.expressions.reader import is_inequality
 
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
-_ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
+_ARROW = r"(?:==?>|(?:-+>|→|⟶)(?!\s*(?:∞|inf|0(?![\w.])))|=>|⇒|⟹|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
+_LIMIT = r"(?:-+>|→|⟶)\s*(?:∞|inf(?:inity|ty)?\b|0)\s*[,:](?=[^=]*=)"
 _SENTENCE = (
     r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z)|[^\W\d_]{1,5}(?:_\w{1,8}|\d)?['\u0307\u0308]*\s*=)"
 )
@@ -55,7 +58,7 @@ _REACHED = (
 )
 """Words between a value and its time: `x = 2 m g/k reached at t = ...`."""
 _SEPARATOR = re.compile(
-    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:at|for|bei|für|pour)\s+(?=(?:cos|sin|tan)[^=]{{1,20}}=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
+    rf";|{_LIMIT}|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when|at)\s(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:at|for|bei|für|pour)\s+(?=(?:cos|sin|tan)[^=]{{1,20}}=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
     rf"|{_BETWEEN}|{_REACHED}|{_SENTENCE}|\\n|[,\s(]i\.\s?e\.,?(?=\s[^=]*=)|(?<=[\w)\]²³'])\s*(?:\.\.\.|…)(?=[^=]*=)"
     r"|(?<=[\w)\]²³'])\.\s+(?=[(\[][^=]*=)"
 )
@@ -75,8 +78,13 @@ _SPECIAL_CASE = re.compile(
 )
 _LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
 _ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
+_FIRST = "it|again|at|the|after|when|which|that|is|are|has|have|we|then|where|from|by|until|before|since|because|while"
 _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
-_SO = re.compile(r"(?<![<>!])=[^=]{1,80}?\s(so|thus)\s(?=[^=]*=)")
+_SO = re.compile(
+    r"(?<![<>!])=[^=]{1,80}?(?<=[\w)\]²³'])\s((?:so|thus)(?:\s+that)?"
+    rf"|(?:{_FIRST})(?:\s+(?!(?:{'|'.join(KNOWN)})\b)[a-z]{{2,12}}){{1,8}})\s+(?=[^=]{{1,40}}=)"
+)
+"""Words between two equations, the first of which goes on: `x' = 0 again at w t = pi`, `x = 0 it has gone x = a t`."""
 _HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
 _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}(?![^\W\d_])[\s,.:]{0,3}){1,8}\Z")  # a run of letters is one word
 _NAMES_NEXT = re.compile(rf"\s*(?:[A-Za-z{''.join(GREEK)}]|{'|'.join({*GREEK.values()})})(?:_?\w{{1,8}})?\s*=(?!=)")
@@ -92,12 +100,12 @@ _I_GOT = re.compile(
     r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?|used?|took|take|set|wrote|write|started with|assumed?)\b"
     r"(?!\s*[=*/^+])"
 )
-_WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s|(?<=n)['’]t)?[.,:]?(?=\s|$|[,:])")
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
-_NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s|(?<=n)['’]t)?[.,:]?(?=\s|$|[,:])")
 _TAIL = re.compile(
-    r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|leads?|gives?|giving|yields?|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
+    r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|after|opposite|leads?|gives?|giving|yields?|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
     r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+(?:etc|usw)\b\.?|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
@@ -149,8 +157,8 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
         for a, b in pieces:
             yield from equations_of_line(_part(fragment, a, b), beside)
         return
-    if pairs := list(one_by_one(text[:end])):
-        yield from (_rewritten(fragment, f"{text[a:b].strip()} = {text[c:d].strip()}") for a, b, c, d in pairs)
+    if pairs := [f"{text[a:b].strip()} = {text[c:d].strip()}" for a, b, c, d in one_by_one(text[:end])]:
+        yield from (_rewritten(fragment, pair) for pair in pairs)
         return
     if _RULES.match(text, 0, end):
         draft = Draft(fragment)
@@ -225,7 +233,7 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
     end = comment.start() if comment and comment.start() > start else len(text)
     if "=" not in text[start:end] and not re.search(r"\\equiv|\\coloneqq", text):
         return
-    words = f"{beside} {text[:start]} {_words_of(text)}".strip()
+    words = f"{beside} {text[:start]} {' '.join(_TEXT.findall(text))}".strip()
     plain = text.replace("$", " ")
     remarks = [*STABILITY.finditer(plain, start, end)] if "$" in text else []
     pieces = cuts(text[start:end], _LATEX_WORDS) if "$" not in text else [(0, end - start)]
@@ -252,10 +260,6 @@ def _words_before(text: str, at: int) -> str:
 _INLINE = re.compile(r"\$+[^$]*\$+")
 _TEXT = re.compile(r"\\text\{([^{}]{0,80})\}")
 _END_OF_SENTENCE = re.compile(r"[.;]\s|\n\s*\n")
-
-
-def _words_of(text: str) -> str:
-    return " ".join(_TEXT.findall(text))
 
 
 def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
@@ -339,11 +343,7 @@ def _inside_list(text: str, start: int, end: int) -> tuple[int, int] | None:
     if close is None or text[close + 1 : end].strip(" .;,"):
         return None
     inner = text[opening + 1 : close]
-    return (
-        (opening + 1, close)
-        if any(_EQUALS.search(inner[a:b]) or "Eq(" in inner for a, b in [(0, len(inner))])
-        else None
-    )
+    return (opening + 1, close) if _EQUALS.search(inner) or "Eq(" in inner else None
 
 
 def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Fragment]:
@@ -351,8 +351,7 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
     if _SPECIAL_CASE.match(text, start, end):
         return
     begin = _after_words(text, start, end)
-    while begin < end and text[end - 1].isspace():
-        end -= 1
+    end = begin + len(text[begin:end].rstrip())
     if match := _EQ.match(text, begin, end):
         yield from _from_call(fragment, match.end(), beside)
         return
@@ -420,6 +419,8 @@ def _after_words(text: str, start: int, end: int) -> int:
             break
         elif word and (words > 0 or _is_word(word[0], read, text, word.end(), end)):
             at, words, read = word.end(), words - 1, read + 1
+        elif named := _NAME_FOR.match(text, at, end):
+            at = named.end()
         elif article := (_ARTICLE if read else _FIRST_ARTICLE).match(text, at, end):
             at, words = article.end(), words or _prose_words(text, article.end(), end)
         else:
@@ -429,6 +430,8 @@ def _after_words(text: str, start: int, end: int) -> int:
 
 
 _ARTICLE, _FIRST_ARTICLE = re.compile(r"[aAI](?=\s+[^\W\d_]{2})"), re.compile(r"A(?=\s+[a-z]{3,}\s+[a-z]{3,}\s)")
+_NAME_FOR = re.compile(r"[^\W\d]\w{0,12}\s+(?:for|für|pour)\s+(?=[^=]{1,40}=)")
+"""The multiplier of a constraint before it: `N for y = R`."""
 _NAME_AND_COMMA = re.compile(r"[^\W\d]\w{0,12}\s*,\s+(?=[^=,]{1,40}=)")
 
 
@@ -558,7 +561,7 @@ _CASE = re.compile(r"[^:;=]*[<>≤≥][^:;=]*:\s(?=[^:]*[=<>≤≥])")
 _WORDS_IN_BRACKETS = re.compile(r"(?<![^\W\d_])\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 _BETWEEN_CONDITIONS = re.compile(
-    r"(?<!\\)[,;]|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"
+    rf"(?<!\\)[,;](?!\s*{WHEN}\s)|\bi\.\s?e\b\.?|\bor equivalently\b|(?<=\s)(?:so|hence|thus|therefore)\s(?:that\s)?"
     r"|(?<=\s)(?:and|und|et)(?=\s+(?:[^\W\d_]{2,}\s+){0,3}[^\W\d_]{3,}:)"
 )
 
@@ -583,6 +586,7 @@ def _separated(fragment: Fragment) -> list[Fragment]:
     beside = cuts(fragment.text, _BESIDE_CONDITION)
     if len(beside) > 1 and "\n" not in fragment.text and is_inequality(first := _part(fragment, *beside[0])):
         return [first, *(e for place in beside[1:] for e in _separated(_part(fragment, *place)))]
+    fragment = replace(fragment, text=without_numbers(fragment.text))
     if (cases := with_cases(in_usual_signs(in_plain_text(fragment.text)))) != fragment.text:
         fragment = Fragment.of(cases, fragment.whole.source.name)
     if is_latex(fragment):
@@ -590,11 +594,7 @@ def _separated(fragment: Fragment) -> list[Fragment]:
         return list(_in_latex(fragment, "")) or list(equations(fragment))
     if (decimals := with_decimal_points(fragment.text)) != fragment.text:
         fragment = replace(fragment, text=decimals)
-    lines = []
-    at = 0
-    for line in fragment.text.split("\n"):
-        lines.append((at, at + len(line), line))
-        at += len(line) + 1
+    lines = [(m.start(), m.end(), m[0]) for m in re.finditer(r"[^\n]+", fragment.text)]
     written = [(start, end) for start, end in joined_lines([x for x in lines if x[2].strip()])]
     parts = [e for start, end in written for e in equations_of_line(_part(fragment, start, end))]
     return parts or [fragment]

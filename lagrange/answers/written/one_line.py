@@ -4,12 +4,6 @@ The equations of one line of an answer, stripped of number, label, box and colou
 
 a = b = c is a = b and b = c. A line with `or` is kept whole, since it states alternatives.
 
-Numbers of equations: `... = 0   (2)`, `\;(2)`, `~~(2)`, `[2]`, `(2a)`, `(*)`. None is a factor.
-
-A number in brackets after a space, or after a 0, at the end of an equation with a `=` numbers it: a factor is never
-written there. `(Ans.)`, `[Result]` and `q.e.d.` are not factors either. Roman numerals and letters, which may be names,
-are numbers only after a wide space.
-
 Sentences around an equation in plain text: words that are no names of the problem.
 
     let x be the elongation, so r = l + x:      r = l + x
@@ -30,7 +24,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
-from lagrange.answers.limits import LONGEST_NUMBERING, MOST_LISTED, SHORTEST_WORD
+from lagrange.answers.limits import MOST_LISTED, SHORTEST_WORD
 from lagrange.answers.readings import GivenEquation, Reading
 from lagrange.answers.written.expansions import ORDER
 from lagrange.answers.written.lines import in_pairs
@@ -39,6 +33,7 @@ from lagrange.answers.written.notation.numbers import unit_behind
 from lagrange.answers.written.notation.plain import cleaned, is_rate
 from lagrange.answers.written.notation.programs import as_equation
 from lagrange.answers.written.notation.rare import integrals_over_time
+from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.answers.written.reading import too_long, without_braces
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import ABOUT, GREEK
@@ -242,38 +237,6 @@ def with_integrals(answer: Sequence[Fragment], coordinates: Sequence[str]) -> li
     return made
 
 
-# Numbering
-
-
-_WIDE = r"(?:\s{2,}|\t|(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\hspace\*?\{[^{}]{0,20}\}\s*|[.…]{3,}\s*|\\dotfill\s*)"
-_SPACE = rf"(?:{_WIDE}|(?:\s|~|\\[,;:! ])+|(?<=[=\s]0)|(?<=[=\s]0\.)|(?<=\$)|(?<=\\tag))"
-_BEFORE = r"(?:eq(?:uation|n)?s?\.?\s*|gl(?:eichung)?\.?\s*|no\.?\s*|#\s*)?"
-_ANY = rf"{_SPACE}[.,;]?\s*\(\s*{_BEFORE}(?:[0-9]{{1,3}}(?:[.\-][0-9]{{1,3}})?[a-z]?'*|\*{{1,3}}|†|[0-9]{{1,3}})\s*\)"
-_BRACKETS = rf"{_SPACE}[.,;]?\s*\[\s*{_BEFORE}[0-9]{{1,3}}(?:\.[0-9]{{1,3}})?[a-z]?\s*\]"
-_ROMAN = rf"{_WIDE}\(\s*(?:[ivx]{{1,4}}|[IVX]{{1,4}}|[a-hA-H])\s*\)"
-_IN_TEXT = (
-    r"\s*\\(?:text|textrm|mathrm|mbox|tag)\s*\{\s*\(\s*(?:[ivxIVX]{1,4}|[a-hA-H]|[0-9]{1,3}[a-z]?|\*{1,3})\s*\)\s*\}"
-)
-_CIRCLED = r"\s*[①-⑳❶-❿➀-➓]"
-_RESULT = r"(?:Ans(?:wer)?|ANS(?:WER)?|Result|Q\.?E\.?D|q\.?e\.?d|Proved|Shown|Antwort|Ergebnis)"
-_ANSWER = rf"{_SPACE}[.,;]?\s*[(\[{{]?\s*{_RESULT}\.?\s*[)\]}}]?"
-_BARE = r"(?<=[^\s,;:=+\-*/^({[&|~])(?:\s{3,}|\t\s*|\\qquad\s*)[0-9]{1,3}[a-z]?"
-"""A number without brackets, far to the right of something that ends an expression: not after a comma, as in a list."""
-_NUMBER = re.compile(rf"(?:{_ANY}|{_BARE}|{_ANSWER}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
-
-
-def number_at_the_end(text: str) -> tuple[int, str]:
-    """Where the equation ends and its number begins, and the number; the length of the text and '' if it has none."""
-    if "=" not in text:
-        return len(text), ""
-    end = len(text.rstrip())
-    start = max(text.rindex("=") + 1, end - LONGEST_NUMBERING)
-    match = _NUMBER.search(text, start)
-    if match is None or not text[text.rindex("=") + 1 : match.start()].strip():
-        return len(text), ""
-    return match.start(), match[0].strip(" \t\n.,;~\\")
-
-
 # Prose
 
 
@@ -357,9 +320,19 @@ def _after_sentence(text: str, end: int, known: Callable[[str], bool]) -> int:
     prose = [m.start() for m in _WORD.finditer(text, 0, end) if is_prose(m[0], known)]
     if not prose:
         return 0
+    verb = _AFTER_VERB.search(text, 0, end)
+    if verb and is_prose(verb["verb"], known):
+        return verb.end("verb")
     cuts = [stop for start, stop in _joints(text, 0, end) if prose[0] <= start and stop > prose[-1]]
     rest = text[cuts[-1] : end].strip() if cuts else ""
     return cuts[-1] if rest and rest[0] not in "*/^)" else 0
+
+
+_AFTER_VERB = re.compile(
+    rf"\b(?:{'|'.join(sorted(_LINKS))})\s+(?P<verb>[^\W\d_]{{3,12}})\s+[^\W\d]\w{{0,12}}['\u0307\u0308]*\s*\Z",
+    re.IGNORECASE,
+)
+"""A verb before the name that a sentence is about: `after the time t it has gone x = a t^2/2`."""
 
 
 def _before_sentence(text: str, start: int, known: Callable[[str], bool]) -> int:

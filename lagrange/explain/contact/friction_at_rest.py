@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
@@ -10,19 +10,22 @@ from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
+    Math,
+    Mathematics,
     Part,
     Rule,
     Step,
     display,
     listed,
     math,
+    parts_of,
     prose,
     series,
 )
 from lagrange.explain.words import (
+    are,
     capital,
     constraints_called,
-    friction_called,
     joined,
     plural,
     spoken,
@@ -68,6 +71,7 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     body += _place(rest)
     if rest.balance:
         moments = " and moments" if rest.configuration.rotations else ""
+        body += _unbounded(body, rest, newton)
         body.append(prose(f"At rest the forces{moments} balance:"))
         body.append(
             display(*(Equation((e, ZERO), label=f"rest-balance{suffix}-{q.name}") for q, e in rest.balance.items()))
@@ -93,19 +97,38 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     return Step(Rule.FRICTION_AT_REST, title_in("Rest with friction", rest.name), tuple(body))
 
 
+def _unbounded(before: Iterable[Block], rest: AtRest, newton: Newton) -> Iterator[Block]:
+    """`λ_1 and λ_2 are the multipliers of the first and second hinge constraints.`, where nothing has named them."""
+    named = {s for b in before for p in parts_of(b) if isinstance(p, Math) for e in p.sides for s in _letters(e)}
+    inside = {s for e in rest.balance.values() for s in e.free_symbols} - named
+    new = [r for r in newton.reactions if (r.given or r.multiplier) in inside]
+    if new:
+        kinds = {"force" if r.given is not None else "multiplier" for r in new}
+        kind = "force" if kinds == {"force"} else "multiplier"
+        what = plural(len(new), f"the {kind}", f"the {kind}s")
+        names = constraints_called(r.name for r in new)
+        yield prose(*listed(math(r.given or r.multiplier) for r in new), f"{are(new)}{what} of {names}.")
+
+
+def _letters(e: Mathematics) -> set[sp.Basic]:
+    return set(e.free_symbols) if isinstance(e, sp.Basic) else set()
+
+
 def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Block]:
     """The friction in each contact, and its bound."""
-    names = {c.name for c in contacts}
+    alone = len(contacts) == 1
     for n, c in enumerate(contacts):
-        name = f"{friction_called(c.name, names)} on {the(c.friction.on)}"
+        body = the(c.friction.on)
         bound = c.coefficient * (c.resultant({f: f for f, _ in c.units}) if c.also else c.normal * _magnitude(c))
         if len(c.components) == 1:
             [force], [tangent] = c.components, c.tangents
-            begin = f"At rest {name} is a force " if n == 0 else f"Likewise {name} is a force "
-            first: tuple[Part, ...] = (begin, math(force), " along ", math(tangent))
+            begin = f"At rest the friction on {body} is a force " if alone else "At rest a friction force "
+            acts = "" if alone else f" acts on {body}" if n == 0 else f" on {body}"
+            first: tuple[Part, ...] = ("Likewise " if n else begin, math(force), " along ", math(tangent), acts)
             size: sp.Expr = sp.Abs(force)
         else:
-            first = (f"At rest {name} is a force with the components ", *listed(map(math, c.components)))
+            begin = f"Likewise that on {body} has" if n else f"At rest the friction on {body} is a force with"
+            first = (f"{begin} the components ", *listed(map(math, c.components)))
             size = sp.sqrt(sp.Add(*(f**2 for f in c.components)))
         opposite = f", with the opposite on {the(c.opposite)}" if c.opposite else ""
         pressed = f"resultant of the {len(c.units)} reactions" if c.also else "normal force"

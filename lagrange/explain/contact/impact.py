@@ -254,7 +254,7 @@ def _energy(motion: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
     if (share := motion.share_lost) is not None and 1 < count_operations(share) <= LONGEST_IN_TEXT:
         yield prose("That is ", math(share), " of the energy before.", detail=Detail.BRIEF)
     if len(places) == 1:
-        yield prose(f"It is lost at {constraints_called([places[0].name])}.")
+        yield prose(f"It is lost at {constraints_called([places[0].name.partition('.')[0]])}.")
     elif len({i.restitution for i in places}) > 1:
         shares = [part for i in places for part in (math(i.lost), f" at {constraints_called([i.name])}")]
         parts: list[Part] = []

@@ -57,7 +57,8 @@ def _general(setup: LagrangeExposition) -> list[Block]:
     with_potential: tuple[Part, ...] = ("Lagrange's equations for the coordinates ", math(q))
     if setup.energies.has_lagrangian and setup.energies.moving == 0 and not _is_outright(setup):
         with_potential = ("With ", math(function, letters.kinetic - letters.potential), ", ", *with_potential)
-    words = prose(*with_potential, ", and the generalized momenta in them, are")
+    others: tuple[Part, ...] = () if force not in right.free_symbols else (" with the generalized forces ", math(force))
+    words = prose(*with_potential, *others, ", and the generalized momenta in them, are")
     lines = (
         Equation((TimeDerivative(momentum) - Partial(function, q), right), label="lagrange"),
         Equation((momentum, Partial(function, prime(q))), label="momenta"),

@@ -18,13 +18,12 @@ from lagrange.explain.page.constraints import (
     on_nonlinear_constraint,
     without_test,
 )
+from lagrange.explain.page.definitions import defined_in_order, in_one_name, without_unused
 from lagrange.explain.page.economy import (
     freedom_in_one,
-    in_one_name,
     in_pairs,
     joined,
     said_before,
-    without_unused,
 )
 from lagrange.explain.page.friction import with_reaction_first
 from lagrange.explain.page.laws import (
@@ -59,7 +58,7 @@ from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.held_coordinates import held_together
-from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, in_names
+from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, in_names, with_terms_added_in
 
 _FOLLOWING = (Rule.EQUATIONS_OF_MOTION, Rule.EQUILIBRIUM)
 """What comes under one title with the coordinates in which it is."""
@@ -103,7 +102,7 @@ def _arranged(
     """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices and not rest_has_roots(solution) else ""
     surface, link = on_surface(solution), linked_particles.linked(solution)
-    plain, stated = stated, in_names(solution, stated)
+    plain, stated = stated, with_terms_added_in(in_names(solution, stated))
     named = in_names(solution, forces)
     if surface is not None or link is not None:
         stated = ()
@@ -261,7 +260,8 @@ _SHORTENING: tuple[tuple[Pass, str], ...] = (
 )
 """What is done to the steps before some are folded and the head is made, with the reason for its place."""
 _FINISHING: tuple[tuple[Pass, str], ...] = (
-    (in_one_name, "first, as all others compare unit vectors by their names"),
+    (without_unused_sections, "makes displacements anew where they are used, and so comes first"),
+    (in_one_name, "first of the others, as these compare unit vectors by their names"),
     (short_in_speeds, "shorter components, before vectors are made of them"),
     (in_directions, "vectors as multiples of named ones, once their components are final"),
     (with_reaction_first, "moves steps, and so comes before all that ask what has been said above"),
@@ -277,8 +277,8 @@ _FINISHING: tuple[tuple[Pass, str], ...] = (
     (with_like_terms_in_one, "the last change of a frequency, before repetitions are sought"),
     (_of_steps(said_before), "compares finished lines, and omits those said before"),
     (without_unused, "definitions of what no line has now"),
+    (_of_steps(defined_in_order), "the definitions that are left"),
     (_of_steps(with_turned_sums), "signs, which no later pass compares"),
-    (without_unused_sections, "sections that have become empty or say nothing"),
     (_of_steps(in_pairs), "last: two short lines as one could not be compared any more"),
 )
 """What is done to the page, the head included, with the reason for its place."""

@@ -477,9 +477,12 @@ def work_by_forms(solution: Solution, step: Step) -> Step:
         (math(first.reaction.force), " times the left side of ", Ref(f"virtual-{first.reaction.name}"))
     ]
     terms += [(math(w.reaction.force), " times that of ", Ref(f"virtual-{w.reaction.name}")) for w in others]
-    words = prose("In a virtual displacement the work of the reactions is the sum of ", *series(terms),
-                  Phrase(":", Purpose.LEFT_SIDES))  # fmt: skip
     before = [*step.body[: at - 1]]
+    symbols = left.free_symbols if isinstance(left, sp.Basic) else set()
+    turned = sorted((s for s in symbols if str(s).startswith("delta(pi")), key=str)
+    rotation = (" with the rotation ", math(*turned)) if len(turned) == 1 else ()
+    words = prose("In a virtual displacement", *rotation, " the work of the reactions is the sum of ", *series(terms),
+                  Phrase(":", Purpose.LEFT_SIDES))  # fmt: skip
     if before and isinstance(before[-1], Prose):
         words = paragraph(before.pop(), words)  # type: ignore[arg-type]
     line = display(replace(e, sides=(left, ZERO), condition=("the constraints are workless",)))
@@ -550,5 +553,6 @@ def reaction_along_normal(solution: Solution) -> Step | None:
              with_common_factor(reaction.value))  # fmt: skip
     line = display(Equation(sides, label=f"normal-{point.name}"), boxed=True, detail=Detail.BRIEF)
     kept = f"{the(point.name)} on its {_where_it_moves(solution)}"
-    words = f"The force that keeps {kept} is along its normal. By Newton's law it is"
-    return Step(Rule.SOLVED_REACTIONS, "The reaction", (prose(words), line))
+    words = prose("The force ", math(VectorSymbol(f"R_{point.name}")), f" that keeps {kept} is along its normal ",
+                  math(n), ". By Newton's law it is")  # fmt: skip
+    return Step(Rule.SOLVED_REACTIONS, "The reaction", (words, line))

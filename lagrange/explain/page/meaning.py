@@ -29,6 +29,7 @@ from lagrange.document.derivation import (
     prose,
     series,
 )
+from lagrange.explain.beside_answers import explain_closing, explain_driven_momenta
 from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGER_SOLVED, LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
@@ -83,6 +84,8 @@ def explain_meaning(
         *_with_held(meaning, stated),
     ]
     body += _conserved(conserved, meaning.view.conserved, labels, stated, unbound=speeds or finite)
+    body += explain_driven_momenta(meaning.view)
+    body += explain_closing(meaning.view)
     body += _accelerations(meaning)
     body += explain_swinging(swinging_rate(stated, meaning.view))
     body += _one_way(meaning)

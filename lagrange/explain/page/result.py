@@ -340,6 +340,8 @@ def _from_steps(
         last = next((b for b in reversed(boxes) if b), [])
         if rule is Rule.EQUATIONS_OF_MOTION and not last:
             yield from _in_speeds(steps, stated)
+        if solution.own.equilibrium is not None:  # beside the forces, their sum as a vector
+            last = [b for b in last if not all(isinstance(e.sides[0], VectorSymbol) for e in b.equations)] or last
         if not last or (len(last) > 1 and solution.own.equilibrium is not None):
             continue  # reactions that differ from one equilibrium to the next
         lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol) or _is_sum(e)]

@@ -135,8 +135,10 @@ def _equilibria(
         words = (*words, *(("; ",) if words and known else ()), *known)
         contact = _contact(reactions[n]) if reactions else ()
         words = (*contact, *(("; ",) if words and contact else ()), *words)
-        if presupposed and not words:
-            words = ("where ", *listed(math(f, sp.S.Zero, relation="≠") for f in presupposed))
+        stated = {c.lhs - c.rhs for c in b.conditions if c.relation == "≠"}
+        divided = [f for f in presupposed if f not in stated and -f not in stated]
+        if divided and not words:
+            words = ("where ", *listed(math(f, sp.S.Zero, relation="≠") for f in divided))
         forces = forces_at[n] if n < len(forces_at) else []
         own = [r for r in b.relations if all(r not in o.relations for o in branches if o is not b)]
         if forces and own:  # a position that the constraints hold is given; its forces are sought
@@ -155,7 +157,8 @@ def _equilibria(
         words = ("; " if last.condition else "", "others, if any, are not solved in closed form")
         groups[-1] = [*before, replace(last, condition=(*last.condition, *words))]
     coordinates = {*view.configuration.slots.coordinates}
-    unknowns = {frozenset(e.sides[0].free_symbols & coordinates) for lines in groups for e in lines}
+    left = (e.sides[0] for lines in groups for e in lines if isinstance(e.sides[0], sp.Expr))
+    unknowns = {frozenset(side.free_symbols & coordinates) for side in left}
     are_systems = any(len(lines) > 1 for lines in groups) or len(unknowns) > 1
     for n, (*first, last) in enumerate(groups, start=1):
         yield from first

@@ -275,11 +275,15 @@ def _laws(s: OnSurface) -> Step:
     if friction is None:
         body += [prose("With ", *force, "the reaction ", math(reaction), ", Newton's law is"), display(law)]
         body += missing_relations(s.solution, newton)
-        body += [prose("A smooth surface pushes only along its normal:"), display(normal)]
+        body += [
+            prose("A smooth surface pushes only along its normal, with a factor ", math(r.force), ":"),
+            display(normal),
+        ]
     else:
         size = Equation((s.letters[1], sp.Abs(reaction), sp.Abs(r.force) * sp.Abs(s.gradient)), label="normal-force")
         body += [
-            prose("The surface exerts a force along its normal, the reaction, and friction:"),
+            prose("The surface exerts a force along its normal, the reaction, with a factor ", math(r.force),
+                  ", and friction:"),
             display(normal),
             prose("While ", the(s.name), " slides, the friction is ", math(friction.coefficient), " times the "
                   "magnitude of the reaction,"),

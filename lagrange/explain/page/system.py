@@ -108,7 +108,8 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
         force = plural(len(loaded), "weight", "weights") if weights else plural(len(loaded), "force", "forces")
         comma = "" if points[-1].mass != 0 and len(points) < 3 else ","
         end, forces = (f"{comma} and the {force} on {joined(map(the, loaded))}",), False
-    what = plural(len(points), "The position", "The positions") + (also if forces else "")
+    noun = "The displacement" if _are_displacements(solution) else "The position"
+    what = plural(len(points), noun, f"{noun}s") + (also if forces else "")
     verb = " are" if forces or end or len(points) > 1 else " is"
     lead = prose(what, " of ", *series(masses), *end, verb)
     if not end and all(p.mass != 0 and "mass" not in the(p.name) for p in points):
@@ -309,6 +310,13 @@ def _bodies(solution: Solution, kinds: Collection[EquationKind | None]) -> Prose
     momenta = [f"angular momenta{_about_centres(solution)}"] * (EquationKind.MOMENTUM in kinds)
     what = Phrase(joined([*also, *momenta]), Purpose.MOMENTA, joined(also))
     return prose(*beside, "The bodies are rigid: ", *series(clauses, last), ". The ", what, " are")
+
+
+def _are_displacements(solution: Solution) -> bool:
+    """Whether each point is counted from a place of its own: by a coordinate that is a displacement."""
+    meanings: Mapping[sp.Basic, str] = {q.symbol: q.meaning for q in solution.problem.coordinates}
+    places = [{s for c in p.position.components for s in c.free_symbols} for p in solution.own.configuration.points]
+    return all(len(used) == 1 and all(meanings.get(s, "").startswith("displacement") for s in used) for used in places)
 
 
 def alike_about_all_axes(solution: Solution, step: Step) -> Step:

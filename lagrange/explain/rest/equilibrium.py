@@ -29,6 +29,7 @@ from lagrange.explain.limits import LONGEST_MINORS
 from lagrange.explain.words import (
     branch_conditions,
     brief,
+    constraints_called,
     existence_left_open,
     must_vanish,
     plural,
@@ -38,6 +39,7 @@ from lagrange.explain.words import (
     suffix_of,
     title_in,
 )
+from lagrange.mechanics.consequences.at_rest import dead_centres
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -232,6 +234,7 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
     yield from outside_ranges(equilibrium)
     yield from full_turns(equilibrium)
     yield from _dead_centres(equilibrium)
+    yield from _without_balance(equilibrium)
     yield from _poles(equilibrium)
 
 
@@ -338,6 +341,15 @@ def _dead_centres(equilibrium: Equilibrium) -> Iterator[Block]:
             "there, and this is no equilibrium.",
             detail=Detail.BRIEF,
         )  # fmt: skip
+
+
+def _without_balance(equilibrium: Equilibrium) -> Iterator[Block]:
+    """`Where sin θ = 0, the constraint leaves δx = 0: P does no work, and no value of it gives equilibrium.`"""
+    for wave, x, force in dead_centres(equilibrium):
+        constraint = constraints_called([equilibrium.configuration.rows[0].name])
+        yield prose("Where ", math(wave, ZERO), f", at a dead centre, {constraint} leaves ", math(variation(x), ZERO),
+                    ": ", math(force), " does no work, and no value of it gives equilibrium.",
+                    detail=Detail.BRIEF)  # fmt: skip
 
 
 def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:

@@ -290,3 +290,5 @@ def _resonance(response: Response) -> Iterator[Block]:
             others = [math(*pair) for pair in response.beside(places[0]).items()] if len(places) == 1 else []
             if others and sum(count_operations(e) for e in response.beside(places[0]).values()) <= LONGEST_BESIDE_REST:
                 yield prose("There ", *listed(others), ".", detail=Detail.BRIEF)
+            if len(places) == 1 and response.is_between_resonances(places[0]):
+                yield prose("One of the two resonances lies below this frequency, the other above it.")

@@ -6,14 +6,19 @@ z² = h(θ), then for z > 0 the force is a function of θ alone.
 *For which curve.* If a function f(u) of the file is not specified, the force P is zero in every position if f'(u) has
 the value that makes the condition of equilibrium hold with P = 0. With the constraint that is a function of u alone:
 the curve of the counterweight of a drawbridge (Bernoulli and L'Hôpital 1695).
+
+*Dead centres.* Where sin θ = 0 a constraint a δθ + b δx = 0 with a = 0 and b ≠ 0 leaves δx = 0. A force that works in
+δx alone then does none, and the others, which work in δθ, are in equilibrium with no value of it.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
@@ -164,3 +169,33 @@ def _in_one(slope: sp.Expr, u: sp.Symbol, resting: Equilibrium) -> sp.Expr | Non
             if not alone.free_symbols & {unit, theta}:
                 return alone
     return None
+
+
+def dead_centres(e: Equilibrium) -> Iterator[tuple[sp.Expr, sp.Symbol, sp.Symbol]]:
+    """sin θ, x and P: where sin θ = 0 the constraint leaves δx = 0, and no force P gives equilibrium."""
+    slots, rows = e.configuration.slots, e.configuration.rows
+    if len(slots.coordinates) != 2 or len(rows) != 1 or rows[0].finite is None or len(e.forces) != 1 or not e.given:
+        return
+    [force], [row] = e.forces, rows
+    for turning, moved in ((0, 1), (1, 0)):
+        q, x = slots.coordinates[turning], slots.coordinates[moved]
+        for wave, other in ((sp.sin(q), sp.cos(q)), (sp.cos(q), sp.sin(q))):
+            there = {wave: sp.S.Zero, other: sp.Dummy("s", real=True, nonzero=True)}  # s² = 1
+            if wave not in e.presupposed or row.coefficients[turning].xreplace(there) != 0:
+                continue
+            work, works = e.work.forces[turning].xreplace(there), e.work.forces[moved].has(force)
+            if work.has(force) or not work.is_nonzero or not works:
+                continue
+            if _never_vanishes(row.coefficients[moved], row.finite, x, there):
+                yield wave, x, force
+
+
+def _never_vanishes(b: sp.Expr, finite: sp.Expr, x: sp.Symbol, there: dict[sp.Expr, sp.Expr]) -> bool:
+    """Whether b, which is linear in x, is not zero on the constraint at a place where one of sin and cos is zero."""
+    slope = b.diff(x)
+    if slope.free_symbols & {x} or not slope.is_nonzero:
+        return False
+    at_zero = finite.xreplace({x: sp.cancel(x - b / slope)}).xreplace(there)
+    [s] = [v for v in there.values() if v.is_Symbol]
+    left = sp.expand(sp.expand(at_zero).subs(s**2, 1))
+    return not left.has(s) and sign_of(left) in (1, -1)

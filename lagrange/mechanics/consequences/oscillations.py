@@ -116,7 +116,7 @@ class DoubleResonance:
 
     driven, driving  a and b
     rest             the values of a and b about which they move
-    squares          ω_a² and ω_b²
+    squares          ω_a² and ω_b², with a for its value at rest where that is shorter
     condition        the sides of an equation between parameters
     """
 
@@ -158,9 +158,10 @@ def _resonance(view: InCoordinates, a: sp.Symbol, b: sp.Symbol) -> DoubleResonan
         return None
     value = sp.cancel(-at_rest.xreplace({a: sp.S.Zero}) / slope)
     rest = {**still, a: value}
-    squares = []
+    squares, shown = [], []
     for e, q in ((of_a, a), (of_b, b)):
-        linear = [partial(e, s).xreplace(rest) for s in (q, prime(q), prime(q, 2))]
+        anywhere = [partial(e, s).xreplace(still) for s in (q, prime(q), prime(q, 2))]
+        linear = [x.xreplace({a: value}) for x in anywhere]
         if (
             any(x.has(sp.zoo, sp.nan) for x in linear)
             or is_zero(linear[1]) is not True
@@ -168,12 +169,13 @@ def _resonance(view: InCoordinates, a: sp.Symbol, b: sp.Symbol) -> DoubleResonan
         ):
             return None
         squares.append(sp.cancel(linear[0] / linear[2]))
+        shown.append(min(squares[-1], sp.cancel(anywhere[0] / anywhere[2]), key=count_operations))
     if not all(s.is_positive for s in squares) or not _drives(of_a, b, rest, squares[1]):
         return None
     condition = between_positive_sums(squares[0] - 4 * squares[1])
     if condition is None:
         return None
-    return DoubleResonance(a, b, {a: textbook_form(value), b: sp.S.Zero}, (squares[0], squares[1]), condition)
+    return DoubleResonance(a, b, {a: textbook_form(value), b: sp.S.Zero}, (shown[0], shown[1]), condition)
 
 
 def _drives(e: sp.Expr, b: sp.Symbol, rest: Mapping[sp.Symbol, sp.Expr], square: sp.Expr) -> bool:

@@ -575,25 +575,26 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
 
 
 def short_reactions(newton: Newton, used: Collection[str]) -> Iterator[tuple[sp.Symbol, str]]:
-    """Reactions and multipliers with the shorter names that they have on a page: T for T_rod, the only constraint.
+    """Reactions and multipliers with the shorter names of a page: T of the only rod, T_upper, λ_1 of rolling.1.
 
-    Of several constraints, words that all names end in are dropped: T_upper for the tension of the upper rod, if the
-    other is the lower rod. `used` are letters that mean something else.
+    Words that all names end in are dropped. `used` are letters that mean something else.
     """
     endings = _distinct([r.name for r in newton.reactions])
     for r, ending in zip(newton.reactions, endings, strict=True):
-        for symbol in dict.fromkeys((r.multiplier, *([r.symbol] if r.symbol is not None else []))):
+        for symbol in dict.fromkeys(s for s in (r.multiplier, r.symbol) if s is not None):
             letter, _, index = symbol.name.partition("_")
-            short = f"{letter}_{ending}" if ending else letter
-            if index == r.name and short != symbol.name and short not in used:
+            short = f"{letter}_{ending.replace('.', '_')}" if ending else letter
+            if index in (r.name, r.name.replace(".", "_")) and short != symbol.name and short not in used:
                 yield symbol, short
 
 
 def _distinct(names: list[str]) -> list[str]:
-    """The names without what all of them end in: upper and lower for upper_rod and lower_rod."""
+    """The names without what all of them end in: upper and lower for upper_rod and lower_rod; 1 and 2 of rolling."""
     if len(names) == 1:
         return [""]
+    if len(wholes := {n.rpartition(".")[0] for n in names}) == 1 and wholes != {""}:
+        return [n.rpartition(".")[2] for n in names]
     words = [n.split("_") for n in names]
-    while all(len(w) > 1 for w in words) and len({w[-1] for w in words}) == 1:
+    while all(w[1:] for w in words) and len({w[-1] for w in words}) == 1:
         words = [w[:-1] for w in words]
     return ["_".join(w) for w in words]

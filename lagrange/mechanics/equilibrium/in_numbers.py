@@ -175,6 +175,8 @@ def _ordered(
     for root in numerical.found if numerical is not None else ():
         if not any(_is_same(root.coordinates, k, circles) for k in known):
             positions = [*positions, Position(None, root.coordinates, root.stability)]
+    if numerical is not None and numerical.is_exhaustive and all(p.branch is not None for p in positions):
+        absent = [*absent, *(n for n, b in enumerate(e.branches) if b.left)]
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
     angles = frozenset(u for u in unknowns if u in e.solution.letters.angles)
     return EquilibriaInNumbers(unknowns, angles, tuple(positions), tuple(absent), numerical, values.units)

@@ -69,6 +69,8 @@ MOST_UNSOLVED = 2
 # inequalities, and the shipped problems need no cases. Operations of an expression whose sign is asked in several
 # forms.
 MOST_INEQUALITIES = 60
+# Cases that are compared with one another, each pair of conditions by a quotient.
+MOST_MERGED = 4
 MOST_CASES = 3
 # Orders in which the forces of one-sided constraints are eliminated: the last ones remain open.
 MOST_ORDERS = 6

@@ -59,11 +59,16 @@ ROUND_A_CIRCLE = tuple((2 * n + 1) / 26 for n in range(13))  # parts of it from 
 
 @record
 class Searched:
-    """Between which numbers an unknown was searched; `is_circle`: all angles, −π < θ ≤ π."""
+    """Between which numbers an unknown was searched.
+
+    is_circle  all angles, −π < θ ≤ π
+    is_whole   it can have no other values: those of a range or circle, or all that the constraints admit
+    """
 
     low: sp.Expr
     high: sp.Expr
     is_circle: bool = False
+    is_whole: bool = False
 
 
 @record
@@ -81,6 +86,11 @@ class NumericalEquilibria:
     found: tuple[NumericalEquilibrium, ...]
     searched: dict[sp.Symbol, Searched]
     complete: bool
+
+    @property
+    def is_exhaustive(self) -> bool:
+        """Whether there are no others anywhere."""
+        return self.complete and all(s.is_whole for s in self.searched.values())
 
 
 def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values: Values) -> NumericalEquilibria | None:
@@ -143,9 +153,9 @@ def _by_angles(
         for a in angles
     ]
     roots = real_roots(equations, angles, [(-BEYOND_PI, BEYOND_PI)] * len(angles), ROUND_A_CIRCLE)
-    round_: dict[sp.Symbol, Searched] = {a: Searched(-sp.pi, sp.pi, is_circle=True) for a in angles}
+    round_: dict[sp.Symbol, Searched] = {a: Searched(-sp.pi, sp.pi, is_circle=True, is_whole=True) for a in angles}
     constraints = [values.put_in(f) for f in e.configuration.finite_constraints]
-    searched = {u: Searched(-size, size) for u, size in reach_of_links(constraints, unknowns).items()}
+    searched = {u: Searched(-size, size, is_whole=True) for u, size in reach_of_links(constraints, unknowns).items()}
     matrix = [] if second is None else [[values.put_in(x) for x in row] for row in second.matrix]
     positions = []
     for root in _distinct(roots.roots, angles, round_):
@@ -233,13 +243,13 @@ def _search(
     if limits is not None:
         low, high = values.put_in(limits.low), values.put_in(limits.high)
         if low.is_number and high.is_number:
-            return Searched(low, high)
+            return Searched(low, high, is_whole=True)
     if all(_is_periodic(x, u) for x in equations):
-        return Searched(-sp.pi, sp.pi, is_circle=True)
+        return Searched(-sp.pi, sp.pi, is_circle=True, is_whole=True)
     if u in e.solution.letters.angles:
         return Searched(-4 * sp.pi, 4 * sp.pi)
     if u in reach:
-        return Searched(-reach[u], reach[u])
+        return Searched(-reach[u], reach[u], is_whole=True)
     size = USUAL_SIZE * sum(_lengths(values)) or sp.Integer(WITHOUT_LENGTHS)
     size = sp.Integer(10) ** sp.ceiling(sp.log(size, 10).evalf())
     return Searched(-size, size)

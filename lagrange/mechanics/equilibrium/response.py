@@ -23,6 +23,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import without_leading_minus
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
@@ -115,6 +116,14 @@ class Response:
         """ξ(t), shape (n,)."""
         c, s = sp.cos(self.drive.frequency * t), sp.sin(self.drive.frequency * t)
         return tuple(a * c + b * s for a, b in zip(self.cosines, self.sines, strict=True))
+
+    def is_between_resonances(self, rest: sp.Expr) -> bool:
+        """Whether of two resonances one is below `rest` and one above it: (ω_1² − rest) (ω_2² − rest) < 0."""
+        if self.is_damped or len(self.resonances) != 2:
+            return False
+        first, second = self.resonances
+        between = sp.cancel(sp.expand((first - rest) * (second - rest)))
+        return sign_of(between) == -1 and sign_of(sp.cancel(sp.expand(first * second))) == 1
 
     def beside(self, rest: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
         """How the other coordinates oscillate where one is at rest, at ω² = `rest`: −(F/c_2) cos ωt of an absorber."""

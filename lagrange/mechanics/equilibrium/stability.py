@@ -546,12 +546,15 @@ def _shortest(s: Stability, b: Branch) -> Stability:
 
 
 def _nowhere_stable(s: Stability, b: Branch) -> Stability:
-    """The verdict where the branch exists only where the conditions for stability fail: with one minor, unstable."""
-    opposite = conditions_for([-s.minors[0]], known_positive(b)) if len(s.minors) == 1 else None
-    presupposed = None if opposite is None else further_conditions(opposite, b.conditions)
-    if presupposed is None:
-        return s
-    return replace(s, verdict=StabilityVerdict.UNSTABLE, conditions=(), presupposed=presupposed)
+    """The verdict where the branch exists only where one minor fails to be positive: where it is negative, unstable."""
+    known = known_positive(b)
+    for m in (m for m in s.minors if sign_on(m, known) is None):
+        own, opposite = conditions_for([m], known), conditions_for([-m], known)
+        if own and opposite and further_conditions(own, b.conditions) is None:
+            presupposed = further_conditions(opposite, b.conditions)
+            if presupposed is not None:
+                return replace(s, verdict=StabilityVerdict.UNSTABLE, conditions=(), presupposed=presupposed)
+    return s
 
 
 def not_vanishing(

@@ -222,7 +222,8 @@ def in_contact(
     kept = possible(static.at, law.newton, numbers)
     slack, branches = [], []
     for n, (b, there) in enumerate(zip(e.branches, static.at, strict=True)):
-        conditions = {} if there is None else there.contact
+        impossible = would_act_backwards(there, law.newton, numbers)
+        conditions = {} if there is None or impossible else there.contact  # from a false one everything would follow
         branches.append(replace(b, implied=(*b.implied, *conditions.values())) if conditions else b)
         if n not in kept:
             slack.append(b)
@@ -250,9 +251,9 @@ def _at(
     """The reactions at one branch; None if they cannot be written in closed form, or not be verified."""
     if len(b.points) > MOST_BRANCH_POINTS or not b.points:
         return None
-    if b.left and (len(resting.branches) > 1 or original.elimination.independent):
-        return None
     points = _points(b, resting)
+    if b.left and points.alone and (len(resting.branches) > 1 or original.elimination.independent):
+        return None
     common = {} if b.left else b.common
     configuration, letters = resting.configuration, resting.solution.letters
 
@@ -306,8 +307,27 @@ def _points(b: Branch, resting: Equilibrium) -> Points:
     configuration = resting.configuration
     around = configuration.surface if resting.given else Surface()
     if b.left:
-        return Points(resting.solution, ({},), given, configuration.surface, alone=True)
+        unsolved = _on_equation(b, resting)
+        return Points(resting.solution, ({},), given, unsolved or configuration.surface, alone=unsolved is None)
     return Points(resting.solution, tuple({**p, **given} for p in b.points), given, around)
+
+
+def _on_equation(b: Branch, resting: Equilibrium) -> Surface | None:
+    """The positions of an equation that is not solved, for all parameters; None if it is linear in none of them.
+
+    Where it is, as a cos θ = l sin³ θ is in a, its points are those of a graph: what vanishes at generic ones vanishes
+    at all of them.
+    """
+    equations = [r.residual for r in b.equations]
+    if len(equations) != 1 or b.special:
+        return None
+    [e] = equations
+    for p in sorted(e.free_symbols - {*resting.solution.unknowns}, key=str):
+        rate = sp.expand(e).coeff(p, 1)
+        if rate != 0 and p not in sp.expand(e - rate * p).free_symbols | rate.free_symbols:
+            places = (*resting.configuration.slots.coordinates, p)
+            return Surface((*resting.configuration.finite_constraints, e), places)
+    return None
 
 
 def _open(system: ReactionSystem, reactions: Reactions, points: Points) -> tuple[sp.Symbol, ...] | None:

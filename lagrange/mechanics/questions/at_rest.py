@@ -223,11 +223,18 @@ def _answer(
         used=tuple(Substituted(s, sizes[s]) for s in sorted(used, key=str) if sizes[s] != s),
         conditions=conditions,
         quantity=quantity,
-        related=rule,
+        related={**rule, **_shared(kept, parameters)},
         branches=tuple(kept) if elimination.solved else (),
         dropped=tuple((b, Reason.OPPOSITE) for b in opposite) if elimination.solved else (),
         verified=elimination.verified,
     )
+
+
+def _shared(branches: Sequence[AnswerBranch], parameters: Collection[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """The parameters in terms of others that are the same in all states: at the limit the slope gives μ."""
+    states = [s for b in branches for s in b.states]
+    first = states[0] if states else {}
+    return {p: e for p, e in first.items() if p in parameters and all(s.get(p) == e for s in states)}
 
 
 def _limiting(
@@ -358,7 +365,8 @@ def _at_sampled_values(asked: Asked, problem: Problem, law: RestLaw, newton: New
     for b in asked.branches:
         for n, state in enumerate(b.states):
             value = b.values[n] if len(b.values) == len(b.states) else b.values[0]
-            known = {s: e.xreplace(numbers).evalf(DIGITS) for s, e in state.items()}
+            related = {s: e.xreplace(numbers) for s, e in state.items() if s in numbers}  # μ of two coefficients
+            known = {s: e.xreplace({**numbers, **related}).evalf(DIGITS) for s, e in state.items()} | related
             own = {**numbers, **known}
             if not all(e.is_number and e.is_real for e in known.values()):
                 continue

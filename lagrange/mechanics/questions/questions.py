@@ -282,6 +282,7 @@ class _Search:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
         signed = [b for b in elimination.branches if not ranges.has_wrong_sign(b, self.adapted)]
+        signed = [b for b in signed if not ranges.is_lifted(b, self.question, self.place.law, self.known.reactions)]
         inside = (ranges.in_ranges(b, self.configuration, self.setting.values) for b in signed)
         elimination = replace(elimination, branches=tuple(b for b in inside if b is not None))
         parted = [self._with_stated_slip(b) for b in elimination.branches]

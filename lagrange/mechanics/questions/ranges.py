@@ -14,11 +14,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import Bounded
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.equilibrium.admissible_positions import distances
 from lagrange.mechanics.equilibrium.in_numbers import condition_holds
 from lagrange.mechanics.questions.branches import sign_of_value
@@ -120,6 +121,24 @@ def has_wrong_sign(b: AnswerBranch, parameter: sp.Symbol | None) -> bool:
     if parameter is None or not parameter.is_nonnegative or not b.states:
         return False
     return all(parameter in s and sign_of_value(s[parameter]) == -1 for s in b.states)
+
+
+def is_lifted(b: AnswerBranch, question: Question, law: NewtonLaw, known: Mapping[sp.Symbol, sp.Expr | None]) -> bool:
+    """Whether a positive parameter that is asked for is one for which a contact of its condition would have to pull.
+
+    known  the reactions, by symbol
+    """
+    parameter = question.quantity
+    if not (parameter.is_Symbol and parameter.is_positive) or len(b.values) != 1 or len(b.states) > 1:
+        return False
+    [value] = b.values
+    if sign_of_value(value) is not None:
+        return False
+    named = set().union(*(c.function.free_symbols for c in question.when))
+    pressing = [r for r in law.newton.reactions if r.constraint.side is not None and r.symbol_of_force in named]
+    rule = {**(b.states[0] if b.states else {}), parameter: value}
+    forces = [force.xreplace(rule) for r in pressing if (force := known.get(r.force)) is not None]
+    return any(sign_of_value(f, (*b.conditions, more_than_zero(value))) == -1 for f in forces)
 
 
 def in_bounds(asked: Asked) -> Asked:

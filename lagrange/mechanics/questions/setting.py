@@ -25,6 +25,7 @@ from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Bounded, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
+from lagrange.mechanics.equilibrium.loads import load_parameters
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.integrals_of_motion import has_pole, integrals, resting_centres
 from lagrange.mechanics.questions.ranges import does_not_slip
@@ -144,11 +145,17 @@ class Setting:
         yield from (several for several in (used, [*used, *centres] if centres else []) if several)
 
     def adapted(self, when: Sequence[sp.Expr]) -> sp.Symbol | None:
-        """The one parameter without a value, where conditions are about parameters: the force at which a crate tips."""
+        """The one parameter without a value, where conditions are about parameters: the force at which a crate tips.
+
+        Of several the one that is an applied force.
+        """
         named = {s for e in when for s in e.free_symbols}
         left = named - self.values.keys()
-        is_one = len(left) == 1 and len(named) > 1 and left <= {p.symbol for p in self.problem.parameters}
-        return next(iter(left)) if is_one else None
+        if len(named) < 2 or not left <= {p.symbol for p in self.problem.parameters}:
+            return None
+        if len(left) > 1:
+            left &= {*load_parameters(self.place.configuration, self.problem.unknowns)}
+        return next(iter(left)) if len(left) == 1 else None
 
     @cached_property
     def fixed(self) -> SymbolValues:

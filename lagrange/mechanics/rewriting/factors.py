@@ -127,6 +127,19 @@ def with_like_terms(e: sp.Expr, letters: Collection[sp.Expr]) -> sp.Expr:
     return with_like_terms(sp.Add(sp.Mul(rest, sp.Add(*shared)), *others), letters)
 
 
+def with_terms_added(e: sp.Expr) -> sp.Expr:
+    """A x + 2 A y for A (x + y) + A y: products of sums multiplied out where their terms are those of others."""
+    parts = sp.Add.make_args(e)
+    terms = [sp.Add.make_args(sp.expand_mul(p)) for p in parts]
+    known = [{x.as_coeff_Mul()[1] for x in group} for group in terms]
+    meeting = [any(m != n and keys & others for m, others in enumerate(known)) for n, keys in enumerate(known)]
+    if not any(meeting):
+        return e
+    added = sp.Add(*(x for group, met in zip(terms, meeting, strict=True) if met for x in group))
+    shown = sp.Add(added, *(p for p, met in zip(parts, meeting, strict=True) if not met))
+    return shown if count_operations(shown) <= count_operations(e) else e
+
+
 def in_cotangents(e: sp.Expr) -> sp.Expr:
     """The expression with cot θ for cos θ/sin θ, where no other power of either is in the product."""
     if not e.has(sp.cos) or not e.has(sp.sin):

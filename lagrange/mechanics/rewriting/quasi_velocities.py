@@ -35,6 +35,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.limits import LONGEST_RATIO, MOST_STATED_NAMES, SHORTEST_BY_VELOCITY
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.factors import with_terms_added
 
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
@@ -179,6 +180,11 @@ def in_names(solution: Solution, stated: StatedEquations) -> StatedEquations:
     """The equations with the names."""
     names = [*_names(solution)]
     return tuple(tuple(_named(side, names) for side in sides) for sides in stated) if names else stated
+
+
+def with_terms_added_in(stated: StatedEquations) -> StatedEquations:
+    """The equations with like terms as one."""
+    return tuple(tuple(with_terms_added(e) if e.is_Add else e for e in sides) for sides in stated)
 
 
 def _names(solution: Solution) -> Iterator[tuple[sp.Expr, sp.Expr]]:

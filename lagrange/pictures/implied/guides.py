@@ -148,5 +148,29 @@ def struts(system: SystemPicture) -> Iterator[tuple[FloatVector, FloatVector, bo
                         yield system.pose.at(a.position), system.pose.at(b.position), by is Keeper.STRING
 
 
+def ropes_to_supports(system: SystemPicture) -> Iterator[tuple[FloatVector, FloatVector]]:
+    """From each fixed place to the ring on a rope of which a constraint has the parts: |r − a| + |r − b| ≤ L."""
+    for reaction in system.newton.reactions if system.view.planar else ():
+        finite, by = reaction.row.finite, reaction.constraint.by
+        if finite is None or reaction.rod is not None or len({*reaction.acts_on}) != 1:
+            continue
+        if by is not Keeper.STRING and not ROPE.search(reaction.name):
+            continue
+        p = next(p for p in system.configuration.points if p.name in reaction.acts_on)
+        own = p.position.fixed().components
+        moving = [c for c in own if c in system.pose.coordinates]
+        roots = [e.base for e in sp.sympify(finite, strict=True).atoms(sp.Pow) if e.exp == sp.S.Half]
+        for base in roots if len(moving) == 2 else ():
+            slopes = [sp.expand(base.diff(q)) for q in moving]  # 2 (q - a)
+            if any(
+                f != sp.expand(2 * q + f.subs(q, 0)) or f.subs(q, 0).has(*moving)
+                for f, q in zip(slopes, moving, strict=True)
+            ):
+                continue
+            ends = {q: -f.subs(q, 0) / 2 for f, q in zip(slopes, moving, strict=True)}
+            with suppress(NoValueError):
+                yield system.pose.at(p.position.fixed().map(lambda c, e=ends: c.subs(e))), system.pose.at(p.position)  # type: ignore[misc]
+
+
 def _same_change(first: list[float], second: list[float]) -> bool:
     return all(abs((f - first[0]) - (s - second[0])) < SAME_PLACE for f, s in zip(first, second, strict=True))

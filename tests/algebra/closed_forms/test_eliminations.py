@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned
+from lagrange.algebra.closed_forms.eliminations import State, linear, on_circle, parallel, turned, wave
 from lagrange.algebra.closed_forms.unit_circle import TrigLetters
 
 a, b = sp.symbols("a b", positive=True)
@@ -38,8 +38,31 @@ def test_parallel_rods() -> None:
     assert [s.values[alpha] for s in states] == [beta, beta + sp.pi]
 
 
+def test_two_equations_linear_in_one_sine_leave_one_without_it() -> None:
+    """The ends of a rod on a circle of radius 1, its mass centre under or over the centre: y² = 1 − a b."""
+    state, letters = lettered(y**2 - 2 * a * y * sp.sin(alpha) + a**2 - 1, y**2 + 2 * b * y * sp.sin(alpha) + b**2 - 1)
+    [fewer] = wave(state, letters)
+    assert sp.factor(fewer.equations[0]) in (k * 2 * y * (a + b) * (y**2 + a * b - 1) for k in (1, -1))
+    assert fewer.equations[1:] == state.equations
+    assert not wave(*lettered(x * sp.sin(alpha) - y, y * sp.sin(alpha) - x))  # two unknowns would be left
+
+
 def test_two_rods_with_letters_stay_a_triangle() -> None:
     assert not on_circle(*lettered(a * sp.cos(alpha) - b * sp.cos(beta) - 1, a * sp.sin(alpha) - b * sp.sin(beta)))
+
+
+def test_two_equal_rods_with_letters() -> None:
+    """A roof over a span of 2a: both rods at the angle whose cosine is a/l."""
+    [branch] = solutions(
+        [sp.sin(alpha) - sp.sin(beta), b * sp.cos(alpha) + b * sp.cos(beta) - 2 * a], [alpha, beta]
+    ).branches
+    assert [(r.lhs, r.rhs) for r in branch.relations] == [(sp.cos(alpha), a / b), (beta, alpha)]
+    assert branch.points
+    assert not branch.left
+    for p in branch.points:
+        letters = {str(s): v for s, v in p.items()}
+        assert letters["cos(alpha)"] == letters["cos(beta)"] == a / b
+        assert letters["sin(alpha)"] == letters["sin(beta)"]
 
 
 @pytest.mark.parametrize(("long", "short", "base", "number"), [(3, 2, 2, 2), (2, 1, 1, 1), (3, 1, 1, 0), (4, 3, 2, 2)])

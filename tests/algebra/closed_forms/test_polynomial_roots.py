@@ -14,6 +14,7 @@ from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import (
     irreducible_factors,
     numerator,
+    other_wave,
     polynomial_roots,
     shortest_value,
     solved_for_powers,
@@ -240,3 +241,11 @@ def test_a_value_is_in_its_shortest_form(long: sp.Expr, short: str) -> None:
     found = shortest_value(long)
     assert sp.cancel(found - long) == 0
     assert str(found) == short
+
+
+def test_the_cosine_of_a_sine_with_a_root_has_no_root_of_what_is_negative() -> None:
+    a, R = sp.symbols("a R", positive=True)
+    found = other_wave((a - b) / (2 * sp.sqrt(R**2 - a * b)))
+    assert sp.expand(found**2 * 4 * (R**2 - a * b)) == sp.expand(4 * R**2 - (a + b) ** 2)
+    roots = [x.base.xreplace({R: 1, a: sp.Rational(1, 2), b: sp.Rational(1, 3)}) for x in found.atoms(sp.Pow)]
+    assert all(base > 0 for base in roots)

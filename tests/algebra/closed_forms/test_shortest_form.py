@@ -101,3 +101,9 @@ def test_differences_of_squares() -> None:
     assert with_differences_of_squares(c + sp.sqrt((a - b) * (a + b))).has(a**2 - b**2)
     for e in ((1 - sp.cos(a)) * (1 + sp.cos(a)), (a - b) * (a + b) ** 2, (a - b) * (a + c), (a + b) ** 2, a - b):
         assert with_differences_of_squares(e) == e
+
+
+def test_factors_whose_difference_is_a_product() -> None:
+    m, P = sp.symbols("m P", positive=True)
+    e = P * (sp.Rational(1, 2) - m * P) * (sp.Rational(1, 2) + m * P)
+    assert sp.expand(with_differences_of_squares(e) - e) == 0

@@ -236,3 +236,11 @@ def test_what_only_divides_may_not_vanish() -> None:
     a, theta = sp.Symbol("a", positive=True), sp.Symbol("theta", real=True)
     assert not_negative(a / sp.cos(theta)) == (SignCondition(sp.cos(theta), ">", sp.S.Zero),)
     assert not_negative(a * sp.cos(theta)) == (SignCondition(sp.cos(theta), "≥", sp.S.Zero),)
+
+
+def test_a_quotient_with_a_root_is_compared_by_squares() -> None:
+    """|a − b|/(2 √(R² − a b)) ≤ 1 where 4 R² ≥ (a + b)²."""
+    b, R = sp.symbols("b R", positive=True)
+    found = between_minus_one_and_one((a - b) / (2 * sp.sqrt(R**2 - a * b)))
+    assert found == (SignCondition(2 * R, "≥", a + b),)
+    assert between_minus_one_and_one((3 * R + a) / sp.sqrt(R**2 + a * R)) is None

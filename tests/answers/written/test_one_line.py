@@ -1,7 +1,5 @@
 """The equations of one line.
 
-Numbers of equations, which are no factors.
-
 Sentences around an equation.
 """
 
@@ -13,7 +11,6 @@ from lagrange.answers.written.one_line import (
     each_equation_of_motion,
     is_condition,
     lines_of,
-    number_at_the_end,
     without_integrals,
     without_order_term,
     without_prose,
@@ -38,27 +35,6 @@ from tests.support.scopes import PLANE
 )
 def test_what_stands_around_equations_is_left_out(text: str, equations: list[str]) -> None:
     assert [line.fragment.text.strip() for line in lines_of(Fragment.of(text), ())] == equations
-
-
-# Numbering
-
-
-@pytest.mark.parametrize(
-    ("text", "equation", "number"),
-    [
-        ("m x'' + k x = 0   (2)", "m x'' + k x = 0", "(2)"),
-        (r"m \ddot x = 0\;(2a)", r"m \ddot x = 0", "(2a)"),
-        ("x'' = g  [3]", "x'' = g", "[3]"),
-        ("x'' = g (Ans.)", "x'' = g", "(Ans.)"),
-        ("x'' = -(g)(2)", "x'' = -(g)(2)", ""),  # a factor
-        ("x'' = a  (b)", "x'' = a", "(b)"),
-        ("x'' = a (b)", "x'' = a (b)", ""),  # a name, unless the space is wide
-        ("see (2)", "see (2)", ""),
-    ],
-)
-def test_a_number_ends_an_equation(text: str, equation: str, number: str) -> None:
-    end, found = number_at_the_end(text)
-    assert (text[:end].rstrip(), found) == (equation, number)
 
 
 # Prose

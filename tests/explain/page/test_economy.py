@@ -50,17 +50,6 @@ def printed(name: str, width: int = 80) -> str:
     return terminal.text(r.derivation, r.notation, width)
 
 
-def test_equal_unit_vectors_have_one_name_and_what_is_not_used_is_not_stated() -> None:
-    said = printed("two-wheeled-carriage")
-    assert said.count("𝐬 = cos θ 𝐢 + sin θ 𝐣") == 1
-    assert "𝛚_left = φ̇₁ 𝐧 + θ̇ 𝐤" in said
-    assert "_left = 𝐤" not in said
-    assert "The velocities of the mass centres, the angular velocities" in " ".join(said.split())
-    used = printed("struck-sleigh")
-    assert used.count("𝐧 = −sin θ 𝐢 + cos θ 𝐣") == 1
-    assert "(ẋ 𝐢 + ẏ 𝐣)·𝐧 = 0" in used
-
-
 def test_a_letter_is_defined_once_and_the_head_is_not_repeated() -> None:
     head = step(display(Equation((x, y)), Equation((y, z)), boxed=True), rule=Rule.RESULT)
     first = step(display(Equation((x, y / D)), Equation((D, z)), boxed=True))

@@ -59,7 +59,7 @@ def test_an_acceleration_that_is_asked_for_stands_there_once(problem: Callable[[
     )
     found = report(problem(text), complete=False)
     assert box(found).count("ÿ = g") == 1
-    question = terminal.text(found.derivation, found.notation, 80).partition("Question: rate")[2]
+    question = terminal.text(found.derivation, found.notation, 80).partition("The acceleration")[2]
     assert question.count("ÿ = g") == 1
 
 

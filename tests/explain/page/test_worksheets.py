@@ -103,7 +103,11 @@ def test_the_pendulum() -> None:
 def test_questions_of_the_file_are_tasks() -> None:
     _, sheet, _ = both("leaving-a-sphere")
     asked = [s for s in sheet.page if s.rule is Rule.QUESTION]
-    assert [s.title for s in asked] == ["Question: leaves", "Question: speed", "Question: pressure"]
+    assert [s.title for s in asked] == [
+        "The angle from the top where contact ends",
+        "The speed where contact ends",
+        "The reaction as a function of the angle from the top",
+    ]
     text = words(sheet)
     assert "Find θ when N = 0." in text
     assert "Find N as a function of θ." in text

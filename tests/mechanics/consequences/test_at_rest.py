@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from lagrange.mechanics.consequences.at_rest import shape, without_dependent
+from lagrange.mechanics.consequences.at_rest import dead_centres, shape, without_dependent
 from tests.support.shared import solved
 
 
@@ -40,3 +40,13 @@ def test_the_moment_on_a_bifilar_suspension() -> None:
 def test_nothing_of_that_kind_elsewhere(name: str) -> None:
     assert without_dependent(solved(name).chosen) is None
     assert shape(solved(name).chosen) is None
+
+
+def test_no_force_on_the_piston_holds_a_crank_at_its_dead_centre() -> None:
+    """At θ = 0 the piston is at x = r ± l and moves only with θ², so Q r δθ is the only work of first order."""
+    resting = solved("slider-crank").own.equilibrium
+    assert resting is not None
+    [(wave, moved, force)] = dead_centres(resting)
+    assert (str(wave), moved.name, force.name) == ("sin(theta)", "x", "P")
+    levers = solved("drawbridge")
+    assert all(not [*dead_centres(v.equilibrium)] for v in levers.views if v.equilibrium is not None)

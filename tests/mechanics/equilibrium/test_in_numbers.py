@@ -72,3 +72,19 @@ def test_the_critical_load() -> None:
 
 def test_reversing_twice_changes_nothing() -> None:
     assert all(REVERSED[REVERSED[r]] == r for r in REVERSED)
+
+
+@pytest.mark.parametrize(("load", "absent"), [("50", (1,)), ("120", ())])
+def test_a_search_without_roots_excludes_what_is_not_solved(load: str, absent: tuple[int, ...]) -> None:
+    """W sin θ = k R θ with k R = 80 N has a root between 0 and π only for W > k R."""
+    text = """title: Wound spring
+parameters: {W: {value: LOAD, unit: N}, R: {value: 0.2, unit: m}, k: {value: 400, unit: N/m}}
+coordinates: {theta: {range: [0, pi]}}
+particles: {A: {position: "R*sin(theta)*i + R*cos(theta)*j"}}
+forces: {load: {on: A, vector: -W*j}, spring: {potential: "k*(R*theta)^2/2"}}
+find: equilibrium
+""".replace("LOAD", load)
+    numbers = solve(read_problem(Source("p", text))).own.in_numbers
+    assert numbers is not None
+    assert numbers.absent == absent
+    assert len(numbers.positions) == 2 - len(absent)

@@ -324,3 +324,12 @@ def test_how_the_absorber_moves_where_the_mass_rests() -> None:
     values = {"F": 6, "c_2": 4, "w": 0, "t": 0}
     assert q.name == "y"
     assert motion.xreplace({s: sp.Integer(values[s.name]) for s in motion.free_symbols}) == sp.Rational(-3, 2)
+
+
+def test_the_frequency_of_an_absorber_lies_between_the_resonances() -> None:
+    """Δ = (c_1 + c_2 − m_1 w²)(c_2 − m_2 w²) − c_2² is −c_2² < 0 at w² = c_2/m_2, and positive at 0 and far above."""
+    response = solved("dynamic-absorber").chosen.response
+    assert response is not None
+    [rest] = response.rests[0]
+    assert response.is_between_resonances(rest)
+    assert not response.is_between_resonances(4 * rest + sum(response.resonances))

@@ -322,19 +322,28 @@ find: equilibrium
     assert (condition.lhs, condition.relation, condition.rhs) == (load, "<", stiffness * length / 3)
 
 
-def test_an_equilibrium_that_exists_only_where_it_is_unstable_is_unstable() -> None:
+@pytest.mark.parametrize(
+    ("coordinates", "beside"),
+    [
+        ("{theta: {range: [0, 90 deg]}}", ""),
+        ("{theta: {range: [0, 90 deg]}, u: {}}", '  spring: {potential: "c*u^2/2"}\n'),
+        ("{u: {}, theta: {range: [0, 90 deg]}}", '  spring: {potential: "c*u^2/2"}\n'),
+    ],
+    ids=["alone", "the first of two minors", "the second minor"],
+)
+def test_an_equilibrium_that_exists_only_where_it_is_unstable_is_unstable(coordinates: str, beside: str) -> None:
     """A drawbridge: sin θ = 1 − 2Q²/W² with θ ≥ 0 needs W ≥ √2 Q, and V'' = L (Q² − W²)/(2W) is negative there."""
     text = """title: Drawbridge
-parameters: {W: positive, L: positive, Q: positive}
-coordinates: {theta: {range: [0, 90 deg]}}
+parameters: {W: positive, L: positive, Q: positive, c: positive, b: positive}
+coordinates: COORDINATES
 particles:
   G: {position: L/2*cos(theta)*i + L/2*sin(theta)*j}
   B: {position: L*cos(theta)*i + L*sin(theta)*j}
 forces:
   weight: {on: G, vector: -W*j}
   cable: {potential: Q*norm(r_B - L*j)}
-find: equilibrium
-"""
+BESIDEfind: equilibrium
+""".replace("COORDINATES", coordinates).replace("BESIDE", beside)
     own = solve(read_problem(Source("bridge", text))).own
     assert own.stability is not None
     [verdict] = own.stability.verdicts

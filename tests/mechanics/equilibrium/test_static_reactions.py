@@ -463,3 +463,66 @@ find: [equilibrium]
     assert "N_B = m g/cos θ" in page
     assert "in contact where sin θ ≥ 0; unstable where l > 2a" in page
     assert "because N_B is positive" in page
+
+
+def test_where_a_contact_would_have_to_pull_stability_is_that_of_the_potential() -> None:
+    """A bead inside a cylinder: at the top it is excluded, and V has a maximum there, whatever contact would need."""
+    text = (
+        "title: Bead inside a cylinder\nparameters: [m, g, R]\ncoordinates: [x, y]\n"
+        "particles: {P: {mass: m, position: x*i + y*j}}\n"
+        "constraints: {wall: {equation: x^2 + y^2 <= R^2, reaction: N, by: surface}}\n"
+        "gravity: -g*j\nfind: equilibrium\n"
+    )
+    solution = solve(read_problem(Source("bead.yaml", text)))
+    assert solution.own.equilibrium is not None
+    assert solution.own.stability is not None
+    assert [len(solution.own.equilibrium.slack), len(solution.own.equilibrium.branches)] == [1, 2]
+    verdicts = {
+        str(b.common[sp.Symbol("y", real=True)]): v.verdict.value
+        for b, v in zip(solution.own.equilibrium.branches, solution.own.stability.verdicts, strict=True)
+    }
+    assert verdicts == {"R": "unstable", "-R": "stable"}
+
+
+ASTRIDE = """title: Rod on a cylinder, hinged on the vertical through its axis
+parameters: {W: positive, l: positive, a: positive}
+coordinates: {x: right, y: up, theta: {range: [0, 90 deg]}}
+let: {e: "sin(theta)*i - cos(theta)*j", n: "cos(theta)*i + sin(theta)*j"}
+bodies: {rod: {position: x*i + y*j + l*e, angle: theta}}
+constraints:
+  symmetry: {equation: "dot(r_rod - l*e, i) = 0", reaction: H}
+  cylinder: {equation: "dot(r_rod, n) >= a", reaction: N, by: surface}
+forces: {weight: {on: rod, vector: -W*j}}
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: 0, y: a/sin(theta)}}}
+find: equilibrium
+answers:
+  equilibrium: ["l*sin(theta)^3 = a*cos(theta)"]
+  reactions: {N: W/sin(theta), H: -W/tan(theta)}
+"""
+
+
+def test_reactions_where_the_position_is_not_solved() -> None:
+    """l sin³ θ = a cos θ has no closed form; N sin θ = W and H = −N cos θ all the same, also at the head."""
+    problem = read_problem(Source("astride.yaml", ASTRIDE))
+    assert [a.verdict.value for a in report(problem).answers] == ["equivalent", "equivalent"]
+    page = as_text(report(problem).derivation, report(problem).notation, 100)
+    assert "N = W/sin θ" in page.split("The system")[0]
+
+
+CHAIN = """title: Half of a chain of four rods
+parameters: {W: 100 N, l: 1 m, d: 1.4 m}
+coordinates: {alpha: {range: [0, 90 deg]}, beta: {range: [0, 90 deg]}}
+let: {e: "cos(alpha)*i - sin(alpha)*j", f: "cos(beta)*i - sin(beta)*j"}
+bodies: {upper: {position: l/2*e, angle: -alpha}, lower: {position: l*e + l/2*f, angle: -beta}}
+constraints: {middle: {equation: l*cos(alpha) + l*cos(beta) = d, reaction: H}}
+forces: {weight_1: {on: upper, vector: -W*j}, weight_2: {on: lower, vector: -W*j}}
+find: equilibrium
+answers: {reactions: {H: 91.77}}
+"""
+
+
+def test_a_named_multiplier_at_a_position_found_in_numbers() -> None:
+    """tan α = 3 tan β and cos α + cos β = 1.4: α = 58.54°, H = 3W/(2 tan α) = 91.77 N."""
+    explained = report(read_problem(Source("chain.yaml", CHAIN)))
+    assert [a.verdict.value for a in explained.answers] == ["equivalent"]
+    assert "H ≈ 91.77 N" in as_text(explained.derivation, explained.notation, 100)

@@ -114,3 +114,29 @@ def test_an_acute_angle_that_is_asked_for_is_acute(problem: Read) -> None:
     with pytest.raises(ProblemError) as error:
         asked(problem, THROWN + "ask: {it: {quantity: alpha, when: [t = 0, \"x'*cos(beta) + y'*sin(beta) = 0\"]}}\n")
     assert error.value.diagnostics[0].code == "never-holds"
+
+
+SPOOL = """
+title: Spool drawn by its thread
+parameters: {m: positive, J: positive, R: positive, a: positive, F: positive, beta: acute, mu: positive, g: positive}
+coordinates: [x, y, psi]
+bodies: {spool: {mass: m, inertia: J, position: x*i + y*j, angle: -psi}}
+constraints:
+  floor: {equation: y >= R, reaction: N}
+  rolling: {equation: "x' = R*psi'", reaction: H}
+gravity: -g*j
+forces: {thread: {on: spool, vector: F*cos(beta)*i + F*sin(beta)*j, at: r_spool + a*sin(beta)*i - a*cos(beta)*j}}
+initial: {x: 0, x': 0, psi: 0}
+ask: {least: {quantity: mu, when: H = mu*N}}
+"""
+
+
+def test_friction_is_not_answered_with_a_contact_that_pulls(problem: Read) -> None:
+    """H = −F (J cos β + m a R)/(J + m R²) is never μ N with N ≥ 0: what is meant is its size."""
+    [found] = solve(problem(SPOOL), complete=False).asked
+    m, J, R, a, F, g = sp.symbols("m J R a F g", positive=True)
+    [b] = found.branches
+    [beta] = {s for s in b.values[0].free_symbols if s.name == "beta"}
+    expected = F * (J * sp.cos(beta) + m * a * R) / ((J + m * R**2) * (m * g - F * sp.sin(beta)))
+    assert is_zero(b.values[0] - expected)
+    assert found.opposite == sp.Symbol("H", real=True)

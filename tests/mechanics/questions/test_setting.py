@@ -77,6 +77,30 @@ ask: {top: {quantity: t, when: y = 500 cm}}
     assert error.value.diagnostics[0].code == "never-holds"
 
 
+CABINET = """title: Cabinet on a lorry
+parameters: [m, M, b, c, F, J, g]
+coordinates: [u, x, y, theta]
+particles: {lorry: {mass: M, position: u*i}}
+bodies: {cabinet: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+constraints:
+  back: {equation: "dot(r_cabinet - b*e1_cabinet - c*e2_cabinet, j) >= 0", reaction: N_1}
+  front: {equation: "dot(r_cabinet + b*e1_cabinet - c*e2_cabinet, j) >= 0", reaction: N_2}
+  cleat: "dot(r_cabinet - c*e2_cabinet, i) = u"
+gravity: -g*j
+forces: {drive: {on: lorry, vector: F*i}}
+generalized_coordinates: {together: {coordinates: [u], substitute: {x: u, y: c, theta: 0}}}
+initial: {u: 0, u': 0, theta: 0}
+ask: {tips: {quantity: "u''", when: N_2 = 0}}
+"""
+
+
+def test_a_condition_about_parameters_alone_gives_the_applied_force(problem: Read) -> None:
+    """N_2 = (m/2)(g − a c/b) = 0 at u'' = g b/c, whatever F was called before: F is (M + m) g b/c there."""
+    [found] = solve(problem(CABINET), complete=False).asked
+    b, c, g = sp.symbols("b c g", positive=True)
+    assert [v for branch in found.branches for v in branch.values] == [b * g / c]
+
+
 # Dependent
 
 

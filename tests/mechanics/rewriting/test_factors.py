@@ -18,6 +18,7 @@ from lagrange.mechanics.rewriting.factors import (
     with_factor,
     with_like_terms,
     with_signs,
+    with_terms_added,
     with_turned_sum,
     without_constant_factors,
     without_shared_constant,
@@ -116,3 +117,10 @@ def test_the_sign_of_what_is_divided_by() -> None:
     assert found == m * sp.sign(sp.cos(s))
     for other in (m * sp.Abs(sp.cos(s)), sp.Abs(sp.sin(s)) / sp.cos(s), m + s):
         assert with_signs(other) == (other, ())
+
+
+def test_like_terms_of_products_are_added_and_other_products_stay() -> None:
+    A, B, x, y, z = sp.symbols("A B x y z", real=True)
+    assert with_terms_added(A * (x + y) + A * y - B * z) == A * x + 2 * A * y - B * z
+    kept = A * (x + y) + B * (x + z)
+    assert with_terms_added(kept) == kept

@@ -93,7 +93,7 @@ _AT_REST = re.compile(
 """A condition in parentheses after the name of a motion: `steady (\\ddot\\theta = \\dot\\theta = 0)`."""
 _FOR_ALL = re.compile(
     r"\((?:for|at|with)\s+(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\)|"
-    r"(?<=\s)(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\s+(?:if|when|for|where|provided(?:\s+that)?)(?=\s[^=]*=)"
+    r"(?<=\s)(?:every|all|any|each|arbitrary)(?:\s+values?\s+of)?\s+\\?[^\W\d]\w{0,12}\s+(?:if|when|for|where|provided(?:\s+that)?)(?=\s[^=<>≤≥]*=)"
 )
 """For which positions an equation between parameters holds: `(for every theta) W = c h`, `any theta if W = c h`."""
 _COLON_BEFORE_CONDITION = re.compile(r"^([^:\n<>≤≥]*=[^=:<>≤≥\n]{1,80}):(?=\s+[^:=\n]{1,60}[<>≤≥])", re.MULTILINE)

@@ -12,7 +12,7 @@ again. Squares of frequencies that would fill two lines each are given as the ro
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -23,7 +23,10 @@ from lagrange.document.derivation import (
     Display,
     Equation,
     EquationKind,
+    Math,
+    Mathematics,
     Phrase,
+    Prose,
     Purpose,
     Ref,
     Rule,
@@ -31,9 +34,11 @@ from lagrange.document.derivation import (
     has_purpose,
     listed,
     math,
+    parts_of,
     prose,
 )
 from lagrange.explain.limits import LONGEST_RESONANCE
+from lagrange.explain.words import plural
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 
@@ -115,9 +120,30 @@ def _with_own_equations(solution: Solution, body: list[Block], steps: Sequence[S
     labels = [e.label for s in steps if s.rule is Rule.EQUATIONS_OF_MOTION for e in _boxed(s) if e.label]
     small = listed(math(x, q) for x, q in moved.items())
     rest = next(e.label for b in body[:at] if isinstance(b, Display) for e in b.equations if e.label)
+    after = [_moved(b, moved) for b in body[at + 1 :]]
+    if labels and not any(isinstance(p, Ref) and p.label == rest for b in after for p in parts_of(b)):
+        which = plural(len(labels), "The equation of motion ", "The equations of motion ")
+        verb = plural(len(labels), " is linear", " are linear")
+        words = prose(which, *listed(map(Ref, labels)), f"{verb}, and without the drive the system can rest at ",
+                      *listed(math(q, sp.S.Zero) for q in coordinates), ".")  # fmt: skip
+        return [words, *after]
     words = prose("The equations of motion ", *listed(map(Ref, labels)), " are linear, and about ", Ref(rest),
                   " they are those of the small changes ", *small, ".")  # fmt: skip
     return [*body[: at - 1], words, *body[at + 1 :]] if labels else body
+
+
+def _moved(block: Block, moved: Mapping[sp.Symbol, sp.Symbol]) -> Block:
+    """A block with the coordinates in place of their small changes from zero."""
+
+    def side(e: Mathematics) -> Mathematics:
+        return e.xreplace(dict(moved)) if isinstance(e, sp.Basic) else e
+
+    if isinstance(block, Display):
+        return block.map(lambda e: replace(e, sides=tuple(map(side, e.sides))))
+    if isinstance(block, Prose):
+        parts = (replace(p, sides=tuple(map(side, p.sides))) if isinstance(p, Math) else p for p in block.parts)
+        return replace(block, parts=tuple(parts))
+    return block
 
 
 def _are_those(solution: Solution, block: Block, moved: dict[sp.Symbol, sp.Symbol]) -> bool:

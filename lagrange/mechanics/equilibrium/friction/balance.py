@@ -43,6 +43,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import is_called_string
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Inequality, Signs, shortest
 from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_SHIFTED
@@ -108,6 +109,7 @@ class SolvedBalance:
     """The unknowns in terms of those left open; `linear` has (constant, coefficients) of each.
 
     one_sided  those that only push or only pull, each with a factor that makes it not negative
+    pulling    the unknown forces that are tensions of strings
     """
 
     forces: Mapping[sp.Symbol, sp.Expr]
@@ -116,6 +118,7 @@ class SolvedBalance:
     equations: tuple[sp.Expr, ...]
     presupposed: tuple[sp.Expr, ...]
     one_sided: Sequence[tuple[Reaction, sp.Expr]]
+    pulling: tuple[sp.Symbol, ...] = ()
 
 
 class ForceBalance:
@@ -153,6 +156,8 @@ class ForceBalance:
         self.sought = tuple(f for f in sought if f in forces)
         self.pressing = tuple(r.force for r in newton.reactions if r.constraint.side is not None)
         self.one_sided = one_sided(newton, original.slots.coordinates)
+        strings = [f.vector for f in original.loads if is_called_string(f.name)]
+        self.pulling = tuple(u for u in forces if any(u in c.free_symbols for v in strings for c in v.components))
         self.surface: Surface = configuration.surface
         count = len(original.slots.coordinates)
         right = [shortest(write(-q.xreplace(dict.fromkeys(forces, sp.S.Zero)))) for q in work.forces]
@@ -204,7 +209,7 @@ class ForceBalance:
         left = [row[-1] for n, row in enumerate(work) if n not in pivots.values()]
         equations = tuple(e for e in left if not self._is_zero(e))
         unknown = tuple(self.unknowns[k] for k in open_)
-        return SolvedBalance(forces, linear, unknown, equations, tuple(presupposed), self.one_sided)
+        return SolvedBalance(forces, linear, unknown, equations, tuple(presupposed), self.one_sided, self.pulling)
 
     def _is_zero(self, e: sp.Expr) -> bool:
         return e == 0 or self.surface.is_zero(e) is True

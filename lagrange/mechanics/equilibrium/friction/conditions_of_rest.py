@@ -36,7 +36,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import sign_in_range
-from lagrange.mechanics.equilibrium.friction.linear_inequalities import Inequality, Signs, shortest
+from lagrange.mechanics.equilibrium.friction.linear_inequalities import Inequality, Signs, is_implied, shortest
 from lagrange.mechanics.equilibrium.limits import DRAWS_OF_LIMITS, MOST_BOUND_SETS, MOST_REGIMES, SMALL_BOUND
 from lagrange.mechanics.equilibrium.searched.newton import NoTapeError, Tape
 
@@ -77,7 +77,10 @@ def bounded_by(
             inside, pressed = sp.factor(shorter), pressed / factor
     size = sp.Abs(inside) if isinstance(size, sp.Abs) else inside
     if not signed:
-        pressed = sp.Abs(pressed)
+        return [RestCondition(size, coefficient * sp.Abs(pressed))]
+    below = sp.fraction(pressed)[1]
+    if sense is not None and below.free_symbols and signs.of(below) in (1, -1):
+        return not_negative(coefficient * pressed - size, SolvedFor(), signs)
     return [RestCondition(size, coefficient * pressed)]
 
 
@@ -288,7 +291,21 @@ def _is_stricter(c: RestCondition, other: RestCondition, signs: Signs) -> bool:
         return False
     if c.right == other.right and c.right.is_Symbol:
         return signs.of(shortest(c.left - other.left)) == 1
-    return c.left == other.left and c.left.is_Symbol and signs.of(shortest(other.right - c.right)) == 1
+    if c.left == other.left and c.left.is_Symbol:
+        return signs.of(shortest(other.right - c.right)) == 1
+    return _is_stricter_in_tangents(c, other, signs)
+
+
+def _is_stricter_in_tangents(c: RestCondition, other: RestCondition, signs: Signs) -> bool:
+    """The same of tangents of acute angles: 1 ≤ μ (tan β − 2 tan θ) than tan θ < tan β."""
+    angles = sorted((c.left - c.right).atoms(sp.tan) | (other.left - other.right).atoms(sp.tan), key=str)
+    if not angles or any(signs.of(x) != 1 for x in angles) or other.left.is_Symbol or other.right.is_Symbol:
+        return False
+    letters = {x: sp.Symbol(f"t_{n}", positive=True) for n, x in enumerate(angles)}
+    strict, weak = (sp.expand((e.right - e.left).xreplace(letters)) for e in (c, other))
+    if not all(e.is_polynomial(*e.free_symbols) for e in (strict, weak)) or strict.is_number:
+        return False
+    return is_implied(weak, strict, signs)
 
 
 def _is_opposite(c: RestCondition, other: RestCondition) -> bool:

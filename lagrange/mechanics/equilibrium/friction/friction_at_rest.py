@@ -20,7 +20,7 @@ tried.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import islice, permutations, product
 
@@ -253,7 +253,7 @@ def _at_rest(
     else:
         lengths = LengthsGiven({})
     wanted = SolvedFor(sought, tuple(c.coefficient for c in contacts), load_parameters(original, problem.unknowns))
-    angles = {p.symbol for p in problem.parameters}
+    angles = {p.symbol for p in problem.parameters} | {*_acute_by_range(configuration)}
     positions = angles | {*configuration.slots.coordinates}
 
     def resting(
@@ -319,6 +319,15 @@ def _at_rest(
             return replace(rest, bounds=bounds_of(bounds, solved.open, signs), always=always(cases, positions, signs))
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
+
+
+def _acute_by_range(configuration: Configuration) -> Iterator[sp.Expr]:
+    """The coordinates between 0 and a right angle, and θ/2 for those between 0 and a straight one."""
+    for q, limits in configuration.ranges.items():
+        if limits.low == 0 and (limits.high - sp.pi / 2).is_nonpositive:
+            yield q
+        if limits.low == 0 and (limits.high - sp.pi).is_nonpositive:
+            yield q / 2
 
 
 def _limits_of(
@@ -402,7 +411,8 @@ def _sum(a: Inequality, b: Inequality) -> Inequality:
 
 def _one_sided(solved: SolvedBalance) -> list[Inequality]:
     """That one-sided constraints only push or pull."""
-    return [_scaled(sense, solved.linear[r.force]) for r, sense in solved.one_sided]
+    strings = [solved.linear[u] for u in solved.pulling if u in solved.linear]
+    return [*(_scaled(sense, solved.linear[r.force]) for r, sense in solved.one_sided), *strings]
 
 
 def _in_cones(solved: SolvedBalance, contacts: Sequence[RoughContact]) -> list[Inequality]:
@@ -445,10 +455,8 @@ def _determined(
     """The bounds themselves; None if one of them never holds."""
     conditions: list[RestCondition] = []
     rough = {c.reaction.name for c in contacts if not c.also}
-    for r, sense in solved.one_sided:
-        if r.name in rough:
-            continue
-        slack = solved.forces[r.force] * sense
+    smooth = [solved.forces[r.force] * sense for r, sense in solved.one_sided if r.name not in rough]
+    for slack in (*smooth, *(solved.forces[u] for u in solved.pulling if u in solved.forces)):
         sign = signs.of(slack)
         if sign == -1:
             return None

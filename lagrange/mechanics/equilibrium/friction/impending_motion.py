@@ -314,6 +314,7 @@ def _at_limit(
     resting = _where_pressed(resting, contacts, pressed, signs, values)
     if not resting.branches:
         return None
+    resting = replace(resting, branches=tuple(_solved_for_friction(b, contacts) for b in resting.branches))
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
     unstated = {} if resting.given else held
     return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, unstated, held)
@@ -475,6 +476,23 @@ def _coefficients_solved(b: Branch, resting: Equilibrium) -> Branch:
         left += [] if solved else [e]
         relations += solved[:1]
     return replace(b, relations=tuple(relations), left=tuple(left))
+
+
+def _solved_for_friction(b: Branch, contacts: Sequence[RoughContact]) -> Branch:
+    """The branch with the one equation that is not solved for a position solved for the only coefficient of friction.
+
+    It must be linear in it, and its other terms have a sign for acute angles.
+    """
+    rough = [c for c in dict.fromkeys(c.coefficient for c in contacts) if any(c in e.free_symbols for e in b.left)]
+    if len(b.left) != 1 or len(rough) != 1 or not rough[0].is_Symbol:
+        return b
+    signs = Signs(b.left[0].free_symbols)
+    value = value_of_letter(b.left[0], rough[0], {}, signs)
+    if value is None:
+        return b
+    above, below = map(shortest, sp.fraction(value))
+    limit = Relation(rough[0], _oriented(without_leading_minus(above / below), (), signs))
+    return replace(b, relations=(*b.relations, limit), left=())
 
 
 def _is_pulled_off(

@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from itertools import product
+from itertools import permutations, product
 
 import sympy as sp
 
@@ -27,7 +27,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import without_known_magnitudes
-from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_INEQUALITIES
+from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_INEQUALITIES, MOST_MERGED
 
 
 class NotEliminatedError(Exception):
@@ -46,12 +46,12 @@ class Inequality:
 class Signs:
     """Signs of expressions of parameters and position.
 
-    acute  symbols of angles whose sine and cosine count as positive
+    acute  angles whose sine and cosine count as positive: symbols, or θ/2
     known  further expressions that are positive
     used   the sines and cosines whose sign mattered
     """
 
-    acute: Collection[sp.Symbol] = ()
+    acute: Collection[sp.Expr] = ()
     known: tuple[sp.Expr, ...] = ()
     used: set[sp.Expr] = field(default_factory=set)
     found: dict[sp.Expr, tuple[int | None, tuple[sp.Expr, ...]]] = field(default_factory=dict)
@@ -81,16 +81,13 @@ class Signs:
         return None, ()
 
     def _assumed(self, e: sp.Expr) -> tuple[sp.Expr, ...]:
-        return tuple(sorted((f for f in e.atoms(sp.sin, sp.cos) if _angle_of(f) in self.acute), key=str))
+        return tuple(
+            sorted((f for f in e.atoms(sp.sin, sp.cos) if f.args[0] in self.acute and sign_of(f) is None), key=str)
+        )
 
     def assuming(self, positive: sp.Expr) -> Signs:
         """The same with one more expression that is positive; `used` is shared."""
         return Signs(self.acute, (*self.known, in_sines_and_cosines(positive)), self.used)
-
-
-def _angle_of(f: sp.Expr) -> sp.Expr | None:
-    """θ of sin θ and cos θ."""
-    return f.args[0] if f.args[0].is_Symbol else None
 
 
 def _forms(e: sp.Expr) -> Iterator[sp.Expr]:
@@ -108,11 +105,15 @@ def _forms(e: sp.Expr) -> Iterator[sp.Expr]:
 
 @lru_cache(maxsize=4096)
 def in_sines_and_cosines(e: sp.Expr) -> sp.Expr:
-    """An expression over one denominator, in the sines and cosines of single angles."""
+    """An expression over one denominator, in the sines and cosines of single angles: of θ/2 where it occurs."""
     if count_operations(e) > LONGEST_SLACK:
         return e
     plain = sp.expand_trig(e)
     plain = plain.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
+    waves = plain.atoms(sp.sin, sp.cos)
+    halves = {2 * f.args[0]: (sp.sin(f.args[0]), sp.cos(f.args[0])) for f in waves if (2 * f.args[0]).is_Symbol}
+    whole = {f: halves[f.args[0]] for f in waves if f.args[0] in halves}
+    plain = plain.xreplace({f: 2 * s * c if isinstance(f, sp.sin) else c**2 - s**2 for f, (s, c) in whole.items()})
     return sp.factor(sp.together(plain))
 
 
@@ -128,7 +129,26 @@ def shortest(e: sp.Expr) -> sp.Expr:
         turned = sp.factor(sp.expand(over.xreplace(rule)) / sp.expand(under.xreplace(rule)))
         if count_operations(turned) < count_operations(best):
             best = turned
-    return best
+    even = sp.Mul(*(_of_one_degree(part) ** power for part, power in zip(sp.fraction(best), (1, -1), strict=True)))
+    return even if count_operations(even) < count_operations(best) else best
+
+
+def _of_one_degree(e: sp.Expr) -> sp.Expr:
+    """A polynomial in sin α and cos α in factors that are seen if all its terms have one degree in the two.
+
+    P cos² α − 2Q sin α cos α − μ P sin α cos α ... is (cos α − μ sin α) times another factor.
+    """
+    for angle in sorted({f.args[0] for f in e.atoms(sp.sin, sp.cos)}, key=str):
+        s, c = sp.sin(angle), sp.cos(angle)
+        if not e.is_polynomial(s, c):
+            continue
+        terms = sp.Poly(e, s, c).terms()
+        degrees = {sum(powers) for powers, _ in terms}
+        highest = max(degrees)
+        if len(degrees) > 1 and all((highest - d) % 2 == 0 for d in degrees):
+            square = s**2 + c**2
+            e = sp.factor(sp.Add(*(k * s**m * c**n * square ** ((highest - m - n) // 2) for (m, n), k in terms)))
+    return e
 
 
 @record
@@ -153,7 +173,68 @@ def solvable(inequalities: Sequence[Inequality], signs: Signs, most: int = 0) ->
 
     A slack is not negative where the unknowns exist. Raises NotEliminatedError.
     """
-    return tuple(_cases(list(inequalities), signs, most))
+    cases = [*_cases(list(inequalities), signs, most)]
+    if 1 < len(cases) <= MOST_MERGED:
+        cases = _merged([_reduced(c, signs) for c in cases], signs)
+    return tuple(cases)
+
+
+# -- cases without what the sign that defines them implies -------------------------------------------------------------
+
+
+def _reduced(case: Case, signs: Signs) -> Case:
+    """A case whose first slack A is the sign that it is the case of, and the others where A ≥ 0.
+
+    A B ≥ 0 is B ≥ 0 there, if this holds where A = 0 as well.
+    """
+    if case.positive or case.zero or not case.slacks:
+        return case
+    side, *others = dict.fromkeys(case.slacks)
+    kept = []
+    for e in others:
+        quotient = shortest(e / side)
+        if count_operations(quotient) < count_operations(e) and is_implied(quotient, side, signs, at_limit=True):
+            e = quotient
+        if not is_implied(e, side, signs):
+            kept.append(e)
+    return replace(case, slacks=(side, *dict.fromkeys(kept)))
+
+
+def is_implied(e: sp.Expr, side: sp.Expr, signs: Signs, at_limit: bool = False) -> bool:
+    """Whether e ≥ 0 where side > 0, or where side = 0: with a letter written as its value at the limit and more."""
+    try:
+        limits = [*_where_it_vanishes(side, signs)]
+    except NotEliminatedError:
+        return False
+    if at_limit:
+        return all(p.signs.of(p.put(e)) in (0, 1) for p in limits)
+    for p in limits:
+        [(letter, value)] = p.rule.items()
+        beyond = signs.of(_linear_in(letter, sp.fraction(side)[0])[0] or sp.S.Zero)
+        there = e.xreplace({letter: value + (beyond or 0) * sp.Dummy(positive=True)})
+        over, under = sp.fraction(sp.together(there))
+        forms = (shortest(over), sp.expand(over))
+        sense = signs.of(under)
+        if not (beyond and sense and any(signs.of(sense * form) in (0, 1) for form in forms)):
+            return False
+    return bool(limits)
+
+
+def _merged(cases: Sequence[Case], signs: Signs) -> list[Case]:
+    """The cases, with A ≥ 0 and −A ≥ 0 as one where the conditions of the one are those of the other, or implied."""
+    left = [*cases]
+    for one, other in permutations(cases, 2):
+        if one not in left or other not in left or any(c.positive or c.zero or not c.slacks for c in (one, other)):
+            continue
+        if shortest(one.slacks[0] + other.slacks[0]) != 0:
+            continue
+        ours, theirs = one.slacks[1:], other.slacks[1:]
+        more = [e for e in ours if all(signs.of(shortest(e / t)) != 1 for t in theirs)]
+        fewer = all(any(signs.of(shortest(t / e)) == 1 for e in ours) for t in theirs)
+        if fewer and all(is_implied(e, other.slacks[0], signs) for e in more):
+            left[left.index(one)] = replace(one, slacks=ours)
+            left.remove(other)
+    return left
 
 
 def _cases(inequalities: list[Inequality], signs: Signs, depth: int) -> Iterator[Case]:

@@ -20,7 +20,7 @@ import sympy as sp
 
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.motion import NewtonLaw
-from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -69,7 +69,9 @@ def reactions_found(
     newton: Newton,
     values: Values,
 ) -> dict[sp.Symbol, Quantity]:
-    """The named single forces at a position, in newtons where the file has units; empty if they are not determined.
+    """The named reactions at a position, in newtons where the file has units; empty if they are not determined.
+
+    Of one that is no single force the multiplier, in the unit that the generalized forces give it.
 
     configuration  the coordinates of the position
     e              the equilibrium in the file's coordinates
@@ -77,13 +79,22 @@ def reactions_found(
     at = _at(position, configuration, values)
     with mpmath.workdps(WORKING_DIGITS):
         try:
-            per_force = {r.force: at(r.per_force) for r in newton.reactions if r.named and r.single is not None}
+            per_force = {r.force: at(r.per_force) for r in newton.reactions if r.given is not None}
         except ValueError:
             return {}
         multipliers = _multipliers(at, e, newton) if per_force else None
         if multipliers is None:
             return {}
-        return dict(_forces(newton, multipliers, per_force, "N" if values.units else ""))
+        units = {r.force: _unit(r, e, values) for r in newton.reactions}
+        return dict(_forces(newton, multipliers, per_force, units))
+
+
+def _unit(r: Reaction, e: Equilibrium, values: Values) -> str:
+    """The unit of a force, or of a multiplier λ with Q_k + λ a_k = 0."""
+    if r.single is not None or not values.units:
+        return "N" if values.units else ""
+    pairs = zip(e.work.forces, r.row.coefficients, strict=True)
+    return next((unit for q, a in pairs if q != 0 and a != 0 and (unit := values.unit_of(q / a))), "")
 
 
 Evaluated = Callable[[sp.Expr], mpmath.mpf]
@@ -148,8 +159,11 @@ def _verdict_there(
 
 
 def _forces(
-    newton: Newton, multipliers: mpmath.matrix, per_force: Mapping[sp.Symbol, mpmath.mpf], unit: str
+    newton: Newton,
+    multipliers: mpmath.matrix,
+    per_force: Mapping[sp.Symbol, mpmath.mpf],
+    units: Mapping[sp.Symbol, str],
 ) -> Iterator[tuple[sp.Symbol, Quantity]]:
     for r, multiplier in zip(newton.reactions, multipliers, strict=True):
         if r.force in per_force:
-            yield r.force, Quantity(sp.Float(str(multiplier / per_force[r.force]), WORKING_DIGITS), unit)
+            yield r.force, Quantity(sp.Float(str(multiplier / per_force[r.force]), WORKING_DIGITS), units[r.force])

@@ -75,3 +75,29 @@ def test_a_coefficient_whose_zeros_are_not_seen() -> None:
     assert [(c.positive, c.unexamined) for c in cases] == [((coefficient,), (coefficient,))]
     with pytest.raises(NotEliminatedError):
         solvable(_rows((1, 0), (coefficient, -W)), Signs())
+
+
+def test_a_product_is_seen_where_all_terms_have_one_degree_in_sine_and_cosine() -> None:
+    P, Q, m = sp.symbols("P Q m", positive=True)
+    s, c = sp.sin(alpha), sp.cos(alpha)
+    long = sp.expand((c - m * s) * (P * (c - m * s) - 2 * Q * (s + m * c)) * s)
+    long = sp.expand(long.xreplace({2 * Q * s * c**2: 2 * Q * s * (1 - s**2)}))
+    assert sp.Mul.make_args(shortest(long)).__len__() >= 3
+
+
+def test_an_angle_and_its_half_are_written_in_the_half() -> None:
+    theta = sp.Symbol("theta", real=True)
+    half = theta / 2
+    e = shortest(sp.sin(half) * sp.sin(theta) / ((1 + sp.cos(theta)) * sp.cos(half)))
+    assert e == sp.sin(half) ** 2 / sp.cos(half) ** 2
+    assert Signs({half}).of(sp.tan(half)) == 1
+
+
+def test_cases_that_differ_by_a_sign_alone_are_one() -> None:
+    """s ≥ 0, (1 − m) s ≤ 1 + m: where m ≥ 1 always, and where m < 1 as well, since s = 0 will do; with s ≥ q it is
+    (1 − m) q ≤ 1 + m in both."""
+    q, m = sp.symbols("q m", positive=True)
+    bounds = [Inequality((sp.S.One,), -q), Inequality((m - 1,), 1 + m)]
+    cases = solvable(bounds, Signs(), 1)
+    assert all(not c.positive and not c.zero for c in cases)
+    assert [[sp.factor(e) for e in c.slacks] for c in cases] == [[sp.factor(1 + m - q * (1 - m))]]
