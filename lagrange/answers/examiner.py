@@ -307,6 +307,7 @@ class Examiner:
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
         from lagrange.answers.questions.at_release import at_release
+        from lagrange.answers.recognition import integrals_apart
         from lagrange.answers.results.forces import kept_from_start
         from lagrange.answers.written.judging import verdict_on
 
@@ -325,7 +326,7 @@ class Examiner:
                 verdict = kept_from_start(equations, verdict, self.problem.initial, reference)
             return verdict if self.solution is None else at_release(equations, verdict, self.solution, reference)
 
-        return verdict_on(working, reference, check, only_motion=self._asks_only_for_motion)
+        return integrals_apart(verdict_on(working, reference, check, only_motion=self._asks_only_for_motion))
 
     @property
     def _asks_only_for_motion(self) -> bool:

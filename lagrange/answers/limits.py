@@ -480,3 +480,6 @@ SAME_ROUNDED_FREQUENCY = 0.02
 
 STATES_OF_MOTION = 80
 """Random states of motion in which an inequality for accelerations is tried."""
+
+MOST_SOLVED = 3
+"""Accelerations that are solved for by determinants, to try an inequality for them."""

@@ -31,7 +31,7 @@ from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.limits import MAX_POWER, STATES
-from lagrange.answers.verdicts import Recognised
+from lagrange.answers.verdicts import AnswerVerdict, Recognised, Verdict
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import CONSTANT, Sign, base, prime, t
 from lagrange.mechanics.dynamics.comparison import Standing, System, affine_rows, compare, random_state, symbols_of
@@ -238,3 +238,13 @@ def _rule(relation: sp.Expr, system: System) -> dict[sp.Symbol, sp.Expr]:
         if p not in slope.free_symbols and slope != 0:
             return {p: -relation.xreplace({p: sp.S.Zero}) / slope}
     return {}
+
+
+def integrals_apart(verdict: AnswerVerdict) -> AnswerVerdict:
+    """The verdict on wrong equations of motion without that on first integrals beside them, which may be right."""
+    wrong = [e for e in verdict.equations if e.verdict is Verdict.WRONG]
+    integrals = [e for e in wrong if e.kind is not None and e.kind.is_first_integral]
+    if not integrals or len(integrals) == len(wrong):
+        return verdict
+    judged = (replace(e, verdict=Verdict.TRIVIAL) if e in integrals else e for e in verdict.equations)
+    return replace(verdict, equations=tuple(judged))

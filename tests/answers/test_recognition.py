@@ -7,6 +7,8 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from lagrange.answers.equations import Verdict
+from lagrange.answers.recognition import integrals_apart
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Recognised
 from tests.answers.test_equations import solved_reference, verdict_on
 from tests.support.answer_truth import read
 from tests.support.second_route import affine, number, solved
@@ -65,3 +67,13 @@ def test_a_first_integral_is_constant_by_numbers(name: str, answer: str, said: s
         state = {n: mpf(5 + 3 * k) / 11 for k, n in enumerate(sorted(names))}
         values = solved(affine(list(route.system), route.unknowns, state), route.unknowns).values
         assert abs(number(rate, {**state, **values})) < 1e-40, said
+
+
+def test_a_first_integral_beside_a_wrong_equation_is_not_wrong() -> None:
+    wrong = EquationVerdict("a", Verdict.WRONG, kind=Recognised.OTHER)
+    integral = EquationVerdict("b", Verdict.WRONG, kind=Recognised.MOMENTUM)
+    together = integrals_apart(AnswerVerdict(Verdict.WRONG, (wrong, integral)))
+    assert together.verdict is Verdict.WRONG
+    assert [e.verdict for e in together.equations] == [Verdict.WRONG, Verdict.TRIVIAL]
+    alone = AnswerVerdict(Verdict.WRONG, (integral,))
+    assert integrals_apart(alone) == alone

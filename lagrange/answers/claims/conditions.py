@@ -1,7 +1,8 @@
 """Claims that something happens under a condition: rolling, sliding, tipping, coming back, a position that exists.
 
     It does not slip if μ ≥ tan α/2.             |F| ≤ μ N of what keeps it from slipping
-    It begins to slide if tan α > μ.             the acceleration of the slip at rest is positive
+    It begins to slide if tan α > μ.             friction in neither sense stops it
+    It stays on the road if v² < g a.            the force of the contact is positive
     It tips before it slides if μ > b/h.         the order of two limits of rest, as one force grows
     The ball comes back if R w > 5/2 v.          the velocity that is asked for is negative
     ... is only possible if φ'² > g/l            |cos θ| ≤ 1 in cos θ = g/(l φ'²)
@@ -21,20 +22,28 @@ import sympy as sp
 
 from lagrange.answers.claims.sentences import Relation, Sentence
 from lagrange.answers.claims.trying import Outcome, Values, agree, drawn, holds, tried
-from lagrange.answers.limits import STATES_OF_MOTION
+from lagrange.answers.limits import LONGEST_LINEARIZED, MOST_SOLVED, STATES_OF_MOTION
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import EquationVerdict, Verdict
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import prime, symbols_in
 from lagrange.document.math_writer import text
 from lagrange.expressions.scope import Scope
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
-from lagrange.mechanics.results import Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Friction
 
 _NOT = r"\b(?:not|no|never|without|cannot|nicht|kein\w*|ohne|nie)\b|n['’]t\b"
 _SLIP = re.compile(r"\b(?:slip|slid|skid|rutsch|gleit)\w*", re.IGNORECASE)
 _ROLL = re.compile(r"\b(?:roll|haft|stick)\w*", re.IGNORECASE)
 _NEGATED_SLIP = re.compile(rf"(?:{_NOT})\s*(?:\w+\s+){{0,3}}(?:slip|slid|skid|rutsch|gleit)\w*", re.IGNORECASE)
+_STAYS = re.compile(
+    r"\b(?:stays?|remains?|can\s+be|is|bleibt)\s+(?:\w+\s+)?(?:at\s+rest|liegen|in\s+ruhe)\b", re.IGNORECASE
+)
+_KEEPS = re.compile(
+    r"\b(?:stays?|remains?)\s+(?:on|in\s+contact)\b|\bkeeps?\s+contact\b|\bbleibt\s+auf\b", re.IGNORECASE
+)
+_LEAVES = re.compile(r"\b(?:leaves?|lifts?\s+off|loses?\s+contact|takes?\s+off|hebt\b.*\bab|verlässt)\b", re.IGNORECASE)
 _TIP = re.compile(r"\b(?:tip|tilt|topple|overturn|kipp)\w*", re.IGNORECASE)
 _FIRST = re.compile(r"\bfirst\b|\bzuerst\b", re.IGNORECASE)
 _BEFORE = re.compile(r"\b(?:before|rather\s+than|instead\s+of|sooner\s+than|bevor|eher\s+als)\b", re.IGNORECASE)
@@ -57,6 +66,7 @@ _IS_NOT = re.compile(_NOT, re.IGNORECASE)
 _ROLLING = "it rolls without slipping as long as |F| <= mu N with the friction {}"
 _RIGHT_LIMIT = "that is the limit, but the inequality has the wrong sense"
 _NOT_WHERE = "it is not this condition that decides it"
+_CONTACT = "contact lasts as long as the force that presses is positive"
 _SLIDES = "it begins to slide where the force along the contact is greater than mu N, both taken at rest"
 _NOT_ALWAYS = "it does not hold in every state of motion"
 
@@ -70,7 +80,7 @@ def on_conditions(
     """
     if not sentence.inequalities:
         return None
-    for judged in (_on_order, _on_rolling, _on_sliding, _on_return, _on_accelerations):
+    for judged in (_on_order, _on_rolling, _on_sliding, _on_contact, _on_return, _on_accelerations):
         if (verdict := judged(sentence, solution, reference)) is not None:
             return verdict
     return _on_existence(sentence, before, solution, reference)
@@ -126,31 +136,84 @@ def _on_rolling(sentence: Sentence, solution: Solution, reference: Reference) ->
 
 
 def _on_sliding(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
-    """It begins to slide: at rest, friction with its full size does not stop the slip."""
-    dynamics = solution.chosen.dynamics
-    stated = _conditions(sentence, reference.scope) if _SLIP.search(sentence.words) else None
-    if not stated or dynamics is None or not dynamics.slips:
+    """It begins to slide from rest, or stays there.
+
+    With friction of its full size in either sense, the slip is accelerated in the same sense: no smaller one stops it.
+    """
+    stays = _STAYS.search(sentence.words)
+    stated = _conditions(sentence, reference.scope) if stays or _SLIP.search(sentence.words) else None
+    rubbing = [f for f in solution.problem.forces if isinstance(f, Friction)]
+    if not stated or not rubbing or solution.chosen.dynamics is None:
         return None
     slots = solution.chosen.configuration.slots
-    rubbing = {f.constraint for f in solution.problem.forces if isinstance(f, Friction)}
-    sizes = dynamics.reactions.sizes if dynamics.reactions else {}
-    pressed = [s for n, s in sizes.items() if n in rubbing]
+    reactions, slips = solution.chosen.dynamics.reactions, solution.chosen.dynamics.slips
+    pressed = [s for n, s in (reactions.sizes if reactions else {}).items() if n in {f.constraint for f in rubbing}]
+    solved = accelerations(solution.chosen)
+    slips = slips or (slots.velocities if len(slots.velocities) == 1 else ())
+    opposite = {s: -s for f in rubbing for s in f.coefficient.free_symbols}
     still = dict.fromkeys(slots.velocities, sp.S.Zero)
     truths = []
-    for slip in dynamics.slips:
+    for slip in slips:
         rate = slip.xreplace(dict(zip(slots.velocities, slots.accelerations, strict=True)))
-        if not rate.free_symbols & {*slots.accelerations} <= dynamics.solved.keys():
+        if not rate.free_symbols & {*slots.accelerations} <= solved.keys():
             return None
-        truths.append(rate.xreplace(dict(dynamics.solved)).xreplace(still))
-    if _NEGATED_SLIP.search(sentence.words):
+        rate = rate.xreplace(solved).xreplace(still)
+        truths.append(rate * rate.xreplace(opposite))
+    if stays or _NEGATED_SLIP.search(sentence.words):
         truths = [-truth for truth in truths]
     return _verdict(sentence, stated, truths, solution, pressed, _SLIDES)
 
 
-def is_about_order(text_: str) -> bool:
-    """Whether a line says which limit of rest comes first: it is no condition of rest itself."""
+def accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
+    """The accelerations in terms of positions and velocities, as far as they are short."""
+    slots, dynamics = view.configuration.slots, view.dynamics
+    known = dict(dynamics.solved) if dynamics else {}
+    if dynamics and dynamics.reactions:
+        known |= {s: e for s, e in dynamics.reactions.accelerations.items() if e is not None}
+    if view.motion is None or known or len(slots.coordinates) > MOST_SOLVED:
+        return known
+    rates = slots.accelerations
+    equations = [*view.motion.expressions]
+    for row in view.configuration.rows:
+        terms = (c * v for c, v in zip(row.coefficients, slots.velocities, strict=True))
+        equations.append(slots.time_derivative(sp.Add(*terms, row.drift)))
+    mass = sp.Matrix([[e.diff(s) for s in rates] for e in equations])
+    force = sp.Matrix([-e.xreplace(dict.fromkeys(rates, sp.S.Zero)) for e in equations])
+    if (
+        mass.rows != mass.cols
+        or mass.free_symbols & {*rates}
+        or any(count_operations(e) > LONGEST_LINEARIZED for e in force)
+    ):
+        return known
+    solution = mass.adjugate() * force / mass.det()
+    return dict(zip(rates, solution, strict=True))
+
+
+def _on_contact(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
+    """It stays in contact: the force of the contact is positive, where parameters alone decide it."""
+    keeps, leaves = _KEEPS.search(sentence.words), _LEAVES.search(sentence.words)
+    stated = _conditions(sentence, reference.scope) if keeps or leaves else None
+    newton = solution.law.newton if solution.law else None
+    names = {s.name for r in (newton.reactions if newton else ()) for s in (r.multiplier, r.symbol) if s is not None}
+    asked = [a for a in solution.asked if len(a.branches) == 1 and str(a.question.quantity) in names]
+    if not stated or len(asked) != 1:
+        return None
+    force = asked[0].branches[0].rhs
+    if not force.free_symbols <= {*reference.parameters.values()} or force.is_positive or force.is_negative:
+        return None
+    holds_on = (keeps is not None) is (_IS_NOT.search(sentence.words) is None)
+    return _verdict(sentence, stated, [force if holds_on else -force], solution, why=_CONTACT)
+
+
+def is_no_result(text_: str, solution: Solution) -> bool:
+    """Whether a line with an inequality claims something beside the results.
+
+    It says which limit of rest comes first, or where something that moves stays at rest, and the file asks for no rest.
+    """
     verbs = bool(_TIP.search(text_)) + bool(_SLIP.search(text_))
-    return (verbs == 2 and _BEFORE.search(text_) is not None) or (verbs > 0 and _FIRST.search(text_) is not None)
+    order = (verbs == 2 and _BEFORE.search(text_) is not None) or (verbs > 0 and _FIRST.search(text_) is not None)
+    moves = all(v.at_rest is None for v in solution.views) and solution.own.motion is not None
+    return order or (moves and _STAYS.search(text_) is not None)
 
 
 def _on_order(sentence: Sentence, solution: Solution, reference: Reference) -> EquationVerdict | None:
@@ -225,11 +288,9 @@ def _on_accelerations(sentence: Sentence, solution: Solution, reference: Referen
     stated = _conditions(sentence, reference.scope) or []
     rewritten = [solution.chosen.configuration.rewritten(e) for e in stated]
     known = {*slots.accelerations}
+    solved = accelerations(solution.chosen)
     claims = [e for e in rewritten if e.free_symbols & known]
     conditions = [e for e in rewritten if not e.free_symbols & known]
-    reactions = solution.chosen.dynamics.reactions
-    solved = dict(solution.chosen.dynamics.solved)
-    solved |= {s: e for s, e in (reactions.accelerations if reactions else {}).items() if e is not None}
     if not claims or sentence.equations or any({*c.free_symbols} & known - solved.keys() for c in claims):
         return None
     claims = [c.xreplace(solved) for c in claims]
@@ -297,7 +358,7 @@ def _bounded(relation: Relation, reference: Reference) -> sp.Expr | None:
     if len(coordinates) != 1 or len(waves) != 1 or not e.free_symbols <= allowed:
         return None
     z = sp.Dummy("z")
-    replaced = e.xreplace({waves[0]: z})
+    replaced = sp.numer(sp.together(e.xreplace({waves[0]: z})))
     slope = replaced.diff(z)
     if replaced.free_symbols & coordinates or slope == 0 or z in slope.free_symbols:
         return None

@@ -57,10 +57,14 @@ def with_claims(answer: Sequence[Fragment], judged: Judgement, solution: Solutio
     def is_claimed(d: Diagnostic) -> bool:
         return d.span is not None and any(_bare(d.span.source.text[d.span.start : d.span.end]) in c for c in claimed)
 
+    def is_claimed_note(n: Diagnostic) -> bool:
+        return n.code == "not-judged" and (is_claimed(n) or (counted and bool(counts_of_freedom(n.message))))
+
+    counted = any(a.name == _FREEDOM for a in others)
     motion = judged.equations
     equations = replace(
         motion,
-        notes=(*(n for n in motion.notes if n.code != "not-judged" or not is_claimed(n)), *notes),
+        notes=(*(n for n in motion.notes if not is_claimed_note(n)), *notes),
         unreadable=tuple(d for d in motion.unreadable if not is_claimed(d)),
         equations=tuple(
             e
@@ -89,7 +93,7 @@ def _claims(
             )
             verdicts = [v for v in each if v is not None]
             found += [v for v in verdicts if v.verdict is Verdict.WRONG][:1] or verdicts[:1]
-            if not verdicts and _says_something(sentence):
+            if not verdicts and _says_something(sentence, reference):
                 notes.append(_note(sentence, sources))
         if len(sentence.equations) > 1:
             defined = _defined(answer, reference) if defined is None else defined
@@ -122,8 +126,12 @@ def _is_settled(sentence: Sentence, settled: Sequence[str]) -> bool:
     return any(own in s for s in settled) or all(any(r in s or (s and s in r) for s in settled) for r in inequalities)
 
 
-def _says_something(sentence: Sentence) -> bool:
-    """Whether it has a verb and a noun at least: `m > 0` is an assumption, and no claim."""
+def _says_something(sentence: Sentence, reference: Reference) -> bool:
+    """Whether it has a verb and a noun at least, and not only the sense of the motion: `m > 0`, `it falls (y' > 0)`."""
+    rates = {*reference.scope.slots.velocities}
+    stated = [r.positive(reference.scope) for r in sentence.inequalities]
+    if stated and all(e is not None and (e in rates or -e in rates) for e in stated):
+        return False
     return len(re.findall(r"[^\W\d_]{3,}", sentence.words)) >= 2
 
 

@@ -63,10 +63,10 @@ _HAMILTON = re.compile(
 
 def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on a text; that of `judge` if the text is about nothing else. Raises ProblemError."""
-    from lagrange.answers.claims.conditions import is_about_order
+    from lagrange.answers.claims.conditions import is_no_result
     from lagrange.answers.claims.judging import with_claims
 
-    results = [f for f in answer if not (is_inequality(f) and is_about_order(f.text))] or answer
+    results = [f for f in answer if not (is_inequality(f) and is_no_result(f.text, solution))] or answer
     judged = with_results_beside(results, _judged(results, solution, judge), solution)
     return with_claims(answer, with_sentences_on_stability(answer, judged, solution), solution)
 

@@ -83,17 +83,17 @@ def explained_conditions(
             return together
     except _unknown:
         pass
-    reasons: dict[str, str] = {}
+    reasons: dict[str, dict[str, None]] = {}
     for s in stated:
         try:
             reason = next(_reasons(s, derived, coefficients), "")
         except _unknown:
             continue
-        if reason:
-            reasons.setdefault(s.text, reason)
-    if len(reasons) == 1 and len({s.text for s in stated}) == 1:
-        return next(iter(reasons.values()))
-    return "; ".join(f"`{text_}`: {reason}" for text_, reason in reasons.items())
+        if reason and not any(s.text in texts for texts in reasons.values()):
+            reasons.setdefault(reason, {})[s.text] = None
+    if len(reasons) == 1 and len({s.text for s in stated}) == len(*reasons.values()):
+        return next(iter(reasons))  # all of them have it
+    return "; ".join(f"{', '.join(f'`{t}`' for t in texts)}: {reason}" for reason, texts in reasons.items())
 
 
 _unknown = (NoPointError, UnsupportedError, DivisionByZeroError, ZeroDivisionError, sp.PolynomialError)

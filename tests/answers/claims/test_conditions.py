@@ -16,6 +16,12 @@ BALL = "x'' = -mu g\nR theta'' = 5/2 mu g\nRolling begins at t = 2 (v + R w)/(7 
 CONE = (
     "l*theta'' - l*phi'^2*sin(theta)*cos(theta) + g*sin(theta) = 0\nphi''*sin(theta) + 2*theta'*phi'*cos(theta) = 0\n"
 )
+SLEDGE = (
+    "x'' = -g*sin(alpha) - mu*g*cos(alpha)\ndistance: v^2/(2*g*(sin(alpha) + mu*cos(alpha)))\n"
+    "time: v/(g*(sin(alpha) + mu*cos(alpha)))\nroughness: v^2/(2*g*s*cos(alpha)) - tan(alpha)\n"
+)
+HILL = "(a^2 + x^2)*x'' + x*x'^2 = a*g*x\npressure: m*(g - v^2/a)\nfastest: sqrt(g*a)\n"
+ROLLER = "(M + m)*X'' + m*s''*cos(alpha) = 0\n3/2*s'' + X''*cos(alpha) = g*sin(alpha)\n"
 ATWOOD = "(M + m) r'' = m r theta'^2 + g (m cos(theta) - M)\nr theta'' + 2 r' theta' + g sin(theta) = 0\n"
 
 
@@ -46,6 +52,12 @@ def verdict_on(name: str, text: str) -> str:
         ("ball-with-backspin", f"{BALL}The ball does not come back if R w < 5/2 v.", "equivalent"),
         ("conical-pendulum", f"{CONE}cos(theta) = g/(l*phi'^2), which is only possible if phi'^2 > g/l.", "equivalent"),
         ("conical-pendulum", f"{CONE}cos(theta) = g/(l*phi'^2), which is only possible if phi'^2 < g/l.", "wrong"),
+        ("sledge-up-a-slope", f"{SLEDGE}It stays at rest at the top if mu >= tan(alpha).", "equivalent"),
+        ("sledge-up-a-slope", f"{SLEDGE}It stays at rest at the top if mu <= tan(alpha).", "wrong"),
+        ("crest-of-a-hill", f"{HILL}It stays on the road only if v^2 < g*a.", "equivalent"),
+        ("crest-of-a-hill", f"{HILL}It stays on the road only if v^2 > g*a.", "wrong"),
+        ("cylinder-on-wedge", f"{ROLLER}It has s'' > 0 at all times.", "equivalent"),
+        ("cylinder-on-wedge", f"{ROLLER}It has s'' < 0 at all times.", "wrong"),
         ("swinging-atwood", f"{ATWOOD}If M > m then r'' < 0 at all times.", "wrong"),
         ("swinging-atwood", f"{ATWOOD}If M > m then r'' < g + r theta'^2 at all times.", "equivalent"),
         ("swinging-atwood", f"{ATWOOD}At the start r'' < 0 if M > m.", "equivalent"),  # and not judged

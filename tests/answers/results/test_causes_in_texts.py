@@ -23,6 +23,11 @@ CAUSES = [
     ("cylinder-on-rough-incline", "F = mu_s*m*g*cos(alpha)", "does not depend on mu_s"),
     ("rough-incline", "P = W tan(alpha) - mu_s W", "mu_s times a part of the normal force"),
     ("rough-incline", "P_min = W (tan(alpha) - mu_s), P_max = W (tan(alpha) + mu_s)", "part of the normal force"),
+    (
+        "rough-incline",  # the same reason is given once
+        "N = W cos(alpha)\nP cos(alpha) + mu_s W cos(alpha) = W sin(alpha)\nP_min = W (tan(alpha) - mu_s)",
+        "the term mu_s*P*sin(alpha) is missing, mu_s times a part of the normal force",
+    ),
     ("rough-incline", "P = W tan(alpha)", "as if mu_s = 0"),
     ("conical-pendulum", "T sinθ = m l φ'^2, T cosθ = m g, so tanθ = l φ'^2/g", "a factor sin(theta) is missing"),
     ("conical-pendulum", "tan(theta) = l*phi'^2/g", "a factor sin(theta) is missing"),

@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.answers.claims.conditions import is_no_result
 from lagrange.answers.limits import LETTERS_OF_STEM
 from lagrange.answers.questions.frequencies import check_frequencies, frequencies_in
 from lagrange.answers.questions.named_values import label_of, written_label
@@ -55,7 +56,7 @@ def with_results_beside(answer: Sequence[Fragment], judged: Judgement, solution:
     lines = [f for f in answer if is_inequality(f) or any(_overlap(f.span(0, len(f.text)), s) for s in spans)]
     parameters = {p.symbol for p in solution.problem.parameters}
     if any(a.question.quantity in parameters for a in solution.asked):
-        lines += _conditions_beside(answer)
+        lines += [f for f in _conditions_beside(answer) if not is_no_result(f.text, solution)]
     found = [v for v in _verdicts(lines, answer, solution) if v.verdict in _SETTLED] if lines else []
     if not found:
         return judged
