@@ -14,6 +14,7 @@ little on their number. A result that differs from point to point is "undecided"
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from enum import Enum, auto
 from functools import cached_property
 from typing import Any, TypeVar
@@ -39,6 +40,9 @@ class Standing(Enum):
     REDUNDANT = auto()  # it follows already from earlier equations
     CONTRADICTS = auto()
     NOT_LINEAR = auto()  # in the accelerations
+
+
+_RIGHT = (Standing.FOLLOWS, Standing.REDUNDANT)
 
 
 @record
@@ -131,13 +135,28 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
     """
     every = (*answer, *system.equations, *system.accelerated_constraints)
     symbols = symbols_of(every)
-    return agreed(
+    compared = agreed(
         system.configuration.states,
         lambda moving: _compared(moving, answer, system, free),
         every,
         lambda comparison: Standing.CONTRADICTS in comparison.standings,
         lambda point: system.moving(point, symbols),
     )
+    if compared is None or len(answer) < 2 or not any(e.has(sp.Abs, sp.sign) for e in every):
+        return compared
+    if Standing.CONTRADICTS not in compared.standings:
+        return compared
+    # The first contradiction decided: of m y'' = m g − c y'² and m y'' = m g + c y'² each is false for one sense.
+    standings = [
+        Standing.CONTRADICTS if s in _RIGHT and _contradicts(e, system, free) else s
+        for e, s in zip(answer, compared.standings, strict=True)
+    ]
+    return replace(compared, standings=tuple(standings))
+
+
+def _contradicts(equation: sp.Expr, system: System, free: Sequence[sp.Symbol]) -> bool:
+    alone = compare([equation], system, free)
+    return alone is not None and alone.standings == (Standing.CONTRADICTS,)
 
 
 def compare_really(
