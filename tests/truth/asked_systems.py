@@ -24,7 +24,7 @@ def loop_the_loop() -> tuple[Route, ...]:
     r, theta = moving("r theta")
     m, radius, g = constants("m R g")
     at = (r * sin(theta), -r * cos(theta))
-    return (newton("r theta", [(m, at, (0, -m * g))], {"track": radius - r}),)
+    return (newton("r theta", [(m, at, (0, -m * g))], {"track": r - radius}),)
 
 
 def released_pendulum() -> tuple[Route, ...]:

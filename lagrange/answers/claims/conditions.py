@@ -146,6 +146,8 @@ def _on_sliding(sentence: Sentence, solution: Solution, reference: Reference) ->
     if not stated or not rubbing or solution.chosen.dynamics is None:
         return None
     slots = solution.chosen.configuration.slots
+    if any(not e.free_symbols.isdisjoint(slots.velocities) for e in stated):
+        return None  # while it slides down, x' > 0
     reactions, slips = solution.chosen.dynamics.reactions, solution.chosen.dynamics.slips
     pressed = [s for n, s in (reactions.sizes if reactions else {}).items() if n in {f.constraint for f in rubbing}]
     solved = accelerations(solution.chosen)

@@ -185,10 +185,11 @@ def _of_steady_motion(lines: Sequence[Fragment], solution: Solution) -> Iterator
         working = understood([f], wider, moving=False)
         if any(g.reading.components == (sp.S.Zero,) for g in working.judged if isinstance(g, GivenEquation)):
             continue  # phi' = Omega, the name of the constant rate
-        if not working.judged or working.unreadable:
+        stated = [g for g in working.judged if not says_steady(g, cyclic, reference)]  # r' = r'' = 0
+        if not stated or working.unreadable:
             continue
         try:
-            verdict = check_steady_answers(alternatives_of(working.judged), [s.general for s in families], reference)
+            verdict = check_steady_answers(alternatives_of(stated), [s.general for s in families], reference)
         except ProblemError:
             continue
         yield replace(verdict, name="steady")
