@@ -322,7 +322,9 @@ def asked_in_text(
             continue
         elif judged and len(judged) == len(named):
             name, verdict = _explained(fragment, judged, solution)
-            if _is_right_where_stated(fragment, verdict.diagnosis):
+            functions = [a for a in questions if a.question.name in named and a.question.by is not None]
+            own = any(_is_its_value(fragment, a, wider) for a in functions)
+            if own or _is_right_where_stated(fragment, verdict.diagnosis):
                 parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.EQUIVALENT, "", (_ELSEWHERE,)))
                 continue
             answered |= {*named} if len(named) == 1 else set()
@@ -392,6 +394,23 @@ def _is_right_where_stated(fragment: Fragment, diagnosis: str) -> bool:
     if before:  # the last place that is named counts
         return re.match(rf"{name}{value}\s*(?:\)|\$|:|,)", before[-1]) is not None
     return re.search(rf"\b(?:at|where|when|for|if)\s+\$?\\?{name}{value}", spelled[1]) is not None
+
+
+def _is_its_value(fragment: Fragment, function: Asked, reference: Reference) -> bool:
+    """Whether a line states what an asked function is at a place named before it: `At the top theta = 0: N = m g`."""
+    by, text, at = function.question.by, fragment.whole.source.text, fragment.span(0, len(fragment.text)).start
+    before = spelled_out(text[text.rfind("\n", 0, at) + 1 : at])
+    places = re.findall(rf"(?<![\w/*^]){re.escape(str(by))}\s*=\s*([^=:,;$]{{1,20}}?)\s*[:,;$]", before)
+    try:
+        place = read_value(Fragment.of(places[-1]), reference.scope, latex=is_latex(fragment)) if places else None
+        claims = read_as_written(fragment, reference.scope)
+        if not isinstance(place, sp.Expr) or claims.error is not None or len(claims.components) != 1:
+            return False
+        values = [v.xreplace({by: place}) for b in function.branches for v in b.values]
+        residuals = [claims.components[0].xreplace({function.question.quantity: v, by: place}) for v in values]
+        return any(is_zero(as_written(e)) is True for e in residuals)
+    except (ProblemError, DivisionByZeroError):
+        return False
 
 
 _POTENTIAL = re.compile(r"[\s$&]*(?:\\mathcal\s*\{?\s*)?(?P<name>[VU])\s*\}?\s*(?:\([^()=]{0,20}\))?\s*&?=(?!=)")
