@@ -14,6 +14,8 @@ import sympy as sp
 from lagrange.core.symbols import prime, t
 from lagrange.explain.limits import LONGEST_TITLE
 from lagrange.explain.words import capital, joined, spoken
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.questions.results import Asked
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Condition, Constraint, Problem, Question
 
@@ -24,12 +26,19 @@ _GREEK = frozenset({"alpha", "beta", "theta", "phi", "psi", "vartheta", "varphi"
 def titles_of_questions(solution: Solution) -> tuple[str, ...]:
     """A title for each question; those of two with one title have their names too."""
     asked = [a.question for a in solution.asked]
-    titles = [_title(solution, q) for q in asked]
+    titles = [_signed(_title(solution, a.question), a) for a in solution.asked]
     known = Counter(titles)
     return tuple(
         f"Question: {spoken(q.name)}" if not title else f"{title} ({spoken(q.name)})" if known[title] > 1 else title
         for q, title in zip(asked, titles, strict=True)
     )
+
+
+def _signed(title: str, asked: Asked) -> str:
+    """The velocity for the speed, where it is negative."""
+    values = [v for b in asked.branches for v in b.values]
+    is_negative = bool(values) and all(v.as_coeff_Mul()[0].is_negative for v in values)
+    return title.replace("The speed", "The velocity", 1) if is_negative else title
 
 
 def _title(solution: Solution, question: Question) -> str:
@@ -55,7 +64,7 @@ def _quantity(solution: Solution, e: sp.Expr) -> str:
         return "the time"
     if isinstance(e, sp.Symbol):
         meaning = _meaning(problem, e)
-        constraint = _with_reaction(problem, e)
+        constraint = _with_reaction(solution, e)
         if meaning or constraint is not None:
             return f"the {meaning}" if meaning else f"the {_called(solution, e)}"
     number, power = (e.base, e.exp) if isinstance(e, sp.Pow) else (e, sp.S.One)
@@ -94,7 +103,7 @@ def _condition(solution: Solution, c: Condition) -> str:
     problem = solution.problem
     if c.lhs == t:
         return "at the start" if c.rhs == 0 else ""
-    if c.rhs == 0 and isinstance(c.lhs, sp.Symbol) and (constraint := _with_reaction(problem, c.lhs)) is not None:
+    if c.rhs == 0 and isinstance(c.lhs, sp.Symbol) and (constraint := _with_reaction(solution, c.lhs)) is not None:
         return "where contact ends" if constraint.side is not None else f"where the {_called(solution, c.lhs)} vanishes"
     for q in _coordinates(solution):
         meaning = _meaning(problem, q)
@@ -123,12 +132,18 @@ def _is_angle(problem: Problem, q: sp.Symbol) -> bool:
     return _meaning(problem, q).startswith(_ANGLES)
 
 
-def _with_reaction(problem: Problem, symbol: sp.Symbol) -> Constraint | None:
-    return next((c for c in problem.constraints if c.reaction == symbol), None)
+def _with_reaction(solution: Solution, symbol: sp.Symbol) -> Constraint | None:
+    """The constraint whose reaction, or tension, a letter is."""
+    own = next((r.constraint for r in _reactions(solution) if symbol in (r.multiplier, r.symbol, r.given)), None)
+    return own or next((c for c in solution.problem.constraints if c.reaction == symbol), None)
+
+
+def _reactions(solution: Solution) -> tuple[Reaction, ...]:
+    newton = None if solution.law is None else solution.law.newton
+    return () if newton is None else newton.reactions
 
 
 def _called(solution: Solution, symbol: sp.Symbol) -> str:
     """`tension` of a rod or string, otherwise `reaction`."""
-    newton = None if solution.law is None else solution.law.newton
-    named = [r for r in (() if newton is None else newton.reactions) if r.multiplier == symbol or r.symbol == symbol]
+    named = [r for r in _reactions(solution) if symbol in (r.multiplier, r.symbol, r.given)]
     return "tension" if named and named[0].tension is not None else "reaction"

@@ -20,6 +20,16 @@ from tests.support.shared import reported
             ),
         ),
         ("governor", ("The angular velocity in a steady state",)),
+        (
+            "released-pendulum",
+            (
+                "The velocity where the angle is zero",
+                "The tension where the angle is zero",
+                "The tension as a function of the angle",
+                "Extreme value of the angle",
+                "The angular acceleration at a given angle",
+            ),
+        ),
         ("ballistic-pendulum", ("Extreme value of the angle",)),
         (
             "raindrop",
