@@ -330,6 +330,7 @@ class _Wrong:
         yield from self._varied(v for v in variations if v.is_exchange)
         yield from self._varied(angles_and_lengths(self.stated, e))
         yield from self._with_sides(other_waves(self.wrong, slots.coordinates))
+        yield from filter(None, [of_another_balance(_components(self.wrong), e.configuration)])
         if self.problem is not None and self.tried.tried:
             yield from filter(None, [of_equal_energy(_components(self.wrong), e.configuration)])
             yield from self._these(self.tried.of_changed_problem(self.problem))
@@ -346,7 +347,6 @@ class _Wrong:
             yield from self._these(self.tried.of_one_force(self.problem))
         if self.tried.tried:
             yield from filter(None, [self.tried.of_displacement()])
-        yield from filter(None, [of_another_balance(_components(self.wrong), e.configuration)])
         yield from filter(None, (wrong_dimension(c, self.reference.units) for c in self.stated))
         if foreign:
             yield f"the conditions of {self.subject.one} do not depend on {', '.join(sorted(foreign))}"
