@@ -450,7 +450,7 @@ def _dropped(b: AnswerBranch, because: Reason, asked: Asked) -> tuple[Part, ...]
             return (*solution, " is the initial state itself.")
         case Reason.ARRIVAL:
             if opposite:
-                return ("Of the two signs this one belongs to the first arrival.",)
+                return ("The sign is that of the first arrival.",)
             return (*solution, " has the wrong sense: a coordinate that reaches a value for the first "
                     "time moves towards it.")  # fmt: skip
         case Reason.TURNING:

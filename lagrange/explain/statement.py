@@ -125,7 +125,7 @@ def _listed_with_assumptions(problem: Problem) -> list[Block]:
     """`The parameters m and g are positive; α is acute.`"""
     free = [p for p in problem.parameters if p.range is None]
     words = plural(len(free), "The parameter ", "The parameters ")
-    ranges = _ranges(problem)
+    ranges = ranges_of(problem)
     return [prose(words, *_by_kind(free), "; " if ranges else "", *ranges, ".")]
 
 
@@ -149,12 +149,12 @@ _ASSUMED = {
 def _assumptions(problem: Problem) -> list[Block]:
     free = [p for p in problem.parameters if p.range is None]
     kinds = {p.assume for p in free}
-    clauses, ranges = _of_kinds(problem, free, kinds), _ranges(problem)
+    clauses, ranges = _of_kinds(problem, free, kinds), ranges_of(problem)
     return [prose(*clauses, "; " if clauses and ranges else "", *ranges, ".")] if clauses or ranges else []
 
 
-def _ranges(problem: Problem) -> list[Part]:
-    """`−π/2 ≤ θ ≤ π/2`"""
+def ranges_of(problem: Problem) -> list[Part]:
+    """`−π/2 ≤ θ ≤ π/2`, for each parameter and coordinate with a range."""
     ranges = [(p.symbol, p.range) for p in problem.parameters] + [(q.symbol, q.range) for q in problem.coordinates]
     return [*listed(math(r.low, symbol, r.high, relation="≤") for symbol, r in ranges if r is not None)]
 

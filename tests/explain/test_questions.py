@@ -27,7 +27,7 @@ from tests.support.shared import solved
         (
             "chain-off-a-table",
             Rule.QUESTION,
-            "Of the two signs this one belongs to the first arrival.",
+            "The sign is that of the first arrival.",
         ),
         ("ball-thrown-up", Rule.QUESTION, " has the opposite sense, for which this equation of motion does not hold."),
         (
@@ -79,7 +79,7 @@ ask: {speed: {quantity: "theta'", when: "theta = pi/6"}}
 def test_a_long_value_is_not_repeated_with_the_other_sign(problem: Callable[[str], Solution]) -> None:
     found = report(problem(GATE))
     text = latex.render([(found.derivation, found.notation)])
-    assert "Of the two signs this one belongs to the first arrival." in " ".join(text.split())
+    assert "The sign is that of the first arrival." in " ".join(text.split())
 
 
 def test_a_factor_that_was_divided_away_is_stated() -> None:

@@ -41,6 +41,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.limits import FEWEST_TOGETHER, MOST_SYMBOLS, SHORT_SIDE
 from lagrange.explain.page.texts import set_text
+from lagrange.explain.statement import ranges_of
 from lagrange.explain.words import capital, constraints_called, in_words, introduced, joined, plural, spoken, the
 from lagrange.mechanics.constraints.coordinates import Angle, angles, of_mass_centre
 from lagrange.mechanics.constraints.kinematics import MassPoint
@@ -83,7 +84,9 @@ def _symbols(solution: Solution) -> tuple[Prose, int]:
     free = [p for p in problem.parameters if p.range is None]
     plain = bool(free) and len(free) == len(problem.parameters) and all(p.assume is Assumption.POSITIVE for p in free)
     stated = plain and (len(free) > 1) and any(m.meaning or m.unit for m in problem.parameters)
-    return prose(*clauses), int(stated)
+    ranges = ranges_of(problem) if stated else []  # otherwise they stand beside the signs
+    limits = [f" {plural((len(ranges) + 1) // 2, 'Range', 'Ranges')}: ", *ranges, "."] if ranges else []
+    return prose(*clauses, *limits), int(stated)
 
 
 def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:

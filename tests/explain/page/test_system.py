@@ -86,3 +86,10 @@ def test_a_cart_given_as_a_body_does_not_turn() -> None:
     assert "the cart (not turned, of mass M)" in page
     assert "𝛚_cart" not in page
     assert "𝛑_cart" not in page
+
+
+def test_a_range_is_stated_where_all_parameters_are_positive() -> None:
+    """Without it a reader misses the equilibrium θ = π of the post."""
+    made = reported("inverted-pendulum-springs")
+    page = " ".join(terminal.text(made.derivation, made.notation, 80).split())
+    assert "all positive. Range: −π/2 ≤ θ ≤ π/2." in page
