@@ -42,8 +42,8 @@ def with_claims(answer: Sequence[Fragment], judged: Judgement, solution: Solutio
     """The verdict on an answer, with that on its claims."""
     if judged.verdict not in _SETTLED or any(a.name == NAME for a in judged.others) or not answer:
         return judged
-    sources = [Source(s.name, s.original or s.text) for s in dict.fromkeys(f.whole.source for f in answer)]
-    sources = [s for s in sources if _MAYBE.search(s.text)]
+    texts = dict.fromkeys((s.name, s.original or s.text) for s in (f.whole.source for f in answer))
+    sources = [s for s in (Source(*t) for t in texts) if _MAYBE.search(s.text)]
     if not sources:
         return judged
     reference = reference_of_solution(solution)
@@ -81,6 +81,7 @@ def _claims(
     """The verdicts on the claims of several texts, and notes on those that are not judged."""
     every = sentences(sources, reference.scope)
     settled = [_bare(e.text) for a in (judged.equations, *judged.others) for e in a.equations]
+    rests = any(v.at_rest is not None for v in solution.views)
     found: list[EquationVerdict] = []
     notes: list[Diagnostic] = []
     defined: Mapping[str, sp.Expr] | None = None
@@ -93,7 +94,8 @@ def _claims(
             )
             verdicts = [v for v in each if v is not None]
             found += [v for v in verdicts if v.verdict is Verdict.WRONG][:1] or verdicts[:1]
-            if not verdicts and _says_something(sentence, reference):
+            is_of_rest = rests and not WORD.search(sentence.text)  # the verdict on rest is on all its conditions
+            if not verdicts and not is_of_rest and _says_something(sentence, reference):
                 notes.append(_note(sentence, sources))
         if len(sentence.equations) > 1:
             defined = _defined(answer, reference) if defined is None else defined

@@ -16,20 +16,22 @@ from lagrange.answers.limits import LONGEST_NUMBERING
 from lagrange.core.diagnostics import Diagnostic, Severity, Source, Span
 
 _WIDE = (
-    r"(?:\s{2,}|\t|(?:~\s*){2,}|\\q?quad\s*|\\(?:h|dot)fill\s*|\\hspace\*?\{[^{}]{0,20}\}\s*|(?:[.…]{3,}|[&|]{1,3})\s*)"
+    r"(?:\s{2,}+|\t|(?:~\s*+){2,}+|\\q?quad\s*+|\\(?:h|dot)fill\s*+|\\hspace\*?\{[^{}]{0,20}\}\s*+"
+    r"|(?:[.…]{3,}+|[&|]{1,3})\s*+)"
 )
-_LEADERS = r"(?:\\(?:[lc]?dots|dotfill)(?![A-Za-z])\s*|[.…·]{3,}\s*|-{2,}\s*|[—–]+\s*)"
-_SPACE = rf"(?:{_WIDE}|(?:\s|~|\\[,;:! ])+|{_LEADERS}+|(?<=[=\s]0)|(?<=[=\s]0\.)|(?<=\$)|(?<=\\tag)|(?<=[.…]))"
+_LEADERS = r"(?:\\(?:[lc]?dots|dotfill)(?![A-Za-z])\s*+|[.…·]{3,}+\s*+|-{2,}+\s*+|[—–]++\s*+)"
+"""What leads to a number; a run is taken whole, as its parts could be divided in exponentially many ways."""
+_SPACE = rf"(?:{_WIDE}|(?:\s|~|\\[,;:! ])++|{_LEADERS}++|(?<=[=\s]0)|(?<=[=\s]0\.)|(?<=\$)|(?<=\\tag)|(?<=[.…]))"
 _BEFORE = r"(?:eq(?:uation|n)?s?\.?\s*|gl(?:eichung)?\.?\s*|no\.?\s*|#\s*)?"
 _DIGITS = r"(?:[0-9]{1,3}(?:[.\-][0-9]{1,3})?[a-z]?'*|\*{1,3}|†)"
-_ANY = rf"{_SPACE}{_LEADERS}*[.,;]?\s*{_BEFORE}\(\s*{_BEFORE}{_DIGITS}\s*\)"
+_ANY = rf"{_SPACE}{_LEADERS}*+[.,;]?\s*{_BEFORE}\(\s*{_BEFORE}{_DIGITS}\s*\)"
 _WORD = r"(?:[Ee]q(?:uation|n)?s?|G(?:l|leichung))\b\.?"
 _NAMED = rf"\s+{_WORD}\s*\(?[0-9]{{1,3}}(?:\.[0-9]{{1,3}})?[a-z]?\)?"
 _BRACKETS = (
     rf"{_SPACE}[.,;]?\s*(?:\[\s*{_BEFORE}[0-9]{{1,3}}(?:\.[0-9]{{1,3}})?[a-z]?\s*\]|[<⟨]\s*[0-9]{{1,3}}[a-z]?\s*[>⟩])"
 )
 _LETTERS = r"(?:[ivx]{1,4}|[IVX]{1,4}|[a-hA-H])"
-_ROMAN = rf"{_WIDE}{_LEADERS}*\(\s*(?:\\(?:mathrm|text|rm)\s*\{{?)?\s*{_LETTERS}\s*\}}?\s*\)"
+_ROMAN = rf"{_WIDE}{_LEADERS}*+\(\s*(?:\\(?:mathrm|text|rm)\s*\{{?)?\s*{_LETTERS}\s*\}}?\s*\)"
 _IN_TEXT = (
     r"\s*\\(?:text(?:rm|bf|it)?|mathrm|mathbf|mbox|tag\*?|l?eqno)\s*\{?\s*"
     rf"\(\s*(?:{_LETTERS}|{_DIGITS})\s*\)\s*\}}?"
@@ -37,7 +39,7 @@ _IN_TEXT = (
 _CIRCLED = r"\s*[①-⑳❶-❿➀-➓]"
 _RESULT = r"(?:Ans(?:wer)?|ANS(?:WER)?|Result|Q\.?E\.?D|q\.?e\.?d|Proved|Shown|Antwort|Ergebnis)"
 _ANSWER = rf"{_SPACE}[.,;]?\s*[(\[{{]?\s*{_RESULT}\.?\s*[)\]}}]?"
-_BARE = r"(?<=[^\s,;:=+\-*/^({[&|~])(?:\s{3,}|\t\s*|\\qquad\s*)(?:[0-9]{1,3}[a-z]?|\{[0-9]{1,3}[a-z]?\})"
+_BARE = r"(?<=[^\s,;:=+\-*/^({[&|~])(?:\s{3,}+|\t\s*+|\\qquad\s*+)(?:[0-9]{1,3}[a-z]?|\{[0-9]{1,3}[a-z]?\})"
 """A number without brackets, far to the right of something that ends an expression: not after a comma, as in a list."""
 _NUMBER = re.compile(rf"(?:{_ANY}|{_NAMED}|{_BARE}|{_ANSWER}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
 _CLOSING = re.compile(

@@ -131,7 +131,7 @@ def is_unit(text: str, declared: Collection[str], bare: bool) -> bool:
 def value_of(number: re.Match[str]) -> sp.Expr:
     """The number that a match of NUMBER states."""
     power = int(number["ten"] or number["power"] or 0)
-    return sp.Rational(number["number"].replace(",", ".").strip("{}")) * sp.Integer(10) ** power
+    return sp.Rational(number["number"].replace("{,}", ".").replace(",", ".")) * sp.Integer(10) ** power
 
 
 # Listed values

@@ -76,3 +76,10 @@ def test_no_number_behind_an_answer_is_a_factor(problem: str, answer: str, numbe
     examiner = Examiner(loaded(problem), solved(problem))
     parts = answer_to(examiner, Source("answer.txt", f"{answer}{number}\n"), ".txt")
     assert examiner.check(parts).verdict.value == "equivalent"
+
+
+@pytest.mark.parametrize("run", ["-", "—", ".", "…", " ", "\t", "~", "- ", "·", r"\dots", "&"])
+def test_a_long_run_before_no_number_is_read_at_once(run: str) -> None:
+    """Its parts could be divided in exponentially many ways; the time limit of a test would end it."""
+    text = f"x = y{run * 60}!"
+    assert without_numbers(text) == text

@@ -509,7 +509,7 @@ def test_reactions_where_the_position_is_not_solved() -> None:
     assert "N = W/sin θ" in page.split("The system")[0]
 
 
-CHAIN = """title: Half of a chain of four rods
+HALF_CHAIN = """title: Half of a chain of four rods
 parameters: {W: 100 N, l: 1 m, d: 1.4 m}
 coordinates: {alpha: {range: [0, 90 deg]}, beta: {range: [0, 90 deg]}}
 let: {e: "cos(alpha)*i - sin(alpha)*j", f: "cos(beta)*i - sin(beta)*j"}
@@ -523,6 +523,6 @@ answers: {reactions: {H: 91.77}}
 
 def test_a_named_multiplier_at_a_position_found_in_numbers() -> None:
     """tan α = 3 tan β and cos α + cos β = 1.4: α = 58.54°, H = 3W/(2 tan α) = 91.77 N."""
-    explained = report(read_problem(Source("chain.yaml", CHAIN)))
+    explained = report(read_problem(Source("chain.yaml", HALF_CHAIN)))
     assert [a.verdict.value for a in explained.answers] == ["equivalent"]
     assert "H ≈ 91.77 N" in as_text(explained.derivation, explained.notation, 100)
