@@ -323,8 +323,8 @@ def asked_in_text(
         elif judged and len(judged) == len(named):
             name, verdict = _explained(fragment, judged, solution)
             functions = [a for a in questions if a.question.name in named and a.question.by is not None]
-            own = any(_is_its_value(fragment, a, wider) for a in functions)
-            if own or _is_right_where_stated(fragment, verdict.diagnosis):
+            is_value = any(_is_its_value(fragment, a, wider) for a in functions)
+            if is_value or _is_right_where_stated(fragment, verdict.diagnosis):
                 parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.EQUIVALENT, "", (_ELSEWHERE,)))
                 continue
             answered |= {*named} if len(named) == 1 else set()
