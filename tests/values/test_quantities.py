@@ -34,7 +34,7 @@ VALUES = Values(
         (g - g, "0"),
         (l * acceleration + g * sp.sin(theta), "0.3θ̈ + 9.81 sin θ"),
         (3 * sp.sqrt(2) * l * acceleration + sp.pi * acceleration + g * sp.sin(2 * theta), "4.414θ̈ + 9.81 sin 2θ"),
-        ((l * acceleration + g) ** 2 / l, "3.333(0.3θ̈ + 9.81)²"),
+        ((l * acceleration + g) ** 2 / l, "3.333 (0.3θ̈ + 9.81)²"),
         (sp.exp(-g * theta / l), "e^(−32.7θ)"),
         (2 * theta + g, "2θ + 9.81"),
         (-theta * l / l, "−θ"),

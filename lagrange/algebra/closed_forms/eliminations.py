@@ -150,6 +150,8 @@ def wave(state: State, letters: TrigLetters) -> list[State]:
             others = letters.unknowns_in(crossed)
             if crossed == 0 or len(others) != 1 or u in others or any(crossed == e for e in state.equations):
                 continue
+            if not _is_quadratic(crossed, letters):
+                continue  # roots of cubics say less than the equations
             return [replace(state, equations=(crossed, *state.equations))]
     return []
 
@@ -187,6 +189,13 @@ def on_circle(state: State, letters: TrigLetters) -> list[State]:
                 )
             ]
     return []
+
+
+def _is_quadratic(e: sp.Expr, letters: TrigLetters) -> bool:
+    """Whether all factors of a polynomial in one unknown are of the second degree at most."""
+    unknowns = sorted((x for x in e.free_symbols if letters.unknowns_in(x)), key=str)
+    factors = irreducible_factors(e)
+    return factors is not None and all(sp.Poly(f, *unknowns).total_degree() <= 2 for f in factors)
 
 
 def _gives_one_term(closing: sp.Expr, circular: set[sp.Symbol]) -> bool:

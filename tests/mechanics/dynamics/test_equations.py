@@ -134,7 +134,7 @@ def test_what_is_put_in_is_said(problem: Read) -> None:
     step = text[text.index("equation of motion") :]
     for line in (
         r"$\dot{\phi} = \dot{y}/R$ and $\ddot{\phi} = \ddot{y}/R$",
-        "Substituting these leaves (multiplying by $R$):",
+        "so its coefficient must vanish (multiplying by $R^{2}$):",
         r"(m R^{2} + J) \ddot{y} - m g R^{2} = 0",
     ):
         assert line in step.replace("&", "")
