@@ -13,7 +13,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import base
-from lagrange.mechanics.questions.limits import LONGEST_CONDITION
+from lagrange.mechanics.questions.limits import LONGEST_CONDITION, LONGEST_MULTIPLIED_OUT
 from lagrange.problem.model import Condition, Measured, Question
 
 
@@ -253,6 +253,8 @@ class Asked:
         equations = [a - b for a, b in self.conditions if (a - b).free_symbols & symbols]
         if self.route is not Route.STATE or self.question.by is None or len(equations) != 1:
             return ()
+        if count_operations(equations[0]) > LONGEST_MULTIPLIED_OUT:
+            return ()  # factoring it takes longer than all the rest of the page
         factors = sp.Mul.make_args(sp.factor(sp.fraction(sp.together(equations[0]))[0]))
         bases = (f.as_base_exp()[0] for f in factors if not f.free_symbols & symbols)
         open_ = (f for f in bases if self.question.by in f.free_symbols and sign_of(f) is None)
