@@ -81,6 +81,6 @@ that no two lengths stay equal, and little enough that the constraints can still
 MOST_PLACES = 40
 """Places between which a length is sought: 780 pairs take a few milliseconds."""
 MOST_OPTIONS = 16
-"""Places tried for one letter, the best first; a letter without room at so many is left out."""
+"""Places tried for a letter, best first; a letter for which none of them has room is left out."""
 DIMENSION_ROWS = (0.35, 0.55, 0.8, 1.1)
 """Distances of a dimension line from what it measures, in centimetres: room for a letter in between, and for others."""

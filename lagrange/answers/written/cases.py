@@ -470,7 +470,7 @@ def _before(fragment: Fragment) -> str:
 
 
 def _in_limit(fragment: Fragment, reference: Reference) -> bool:
-    """Whether what is said holds where a parameter is very large or very small, or at a place: `at the top x = 0: `."""
+    """Whether a statement is for a very large or small parameter, or for one place: `at the top x = 0: `."""
     before = _before(fragment)
     limit, place = _LIMIT.search(before), _PLACE.search(before)
     names = ["".join(GREEK.get(c, c) for c in m["name"].lstrip("\\")) if m else "" for m in (limit, place)]

@@ -105,7 +105,7 @@ def without_numbers(text: str) -> str:
 
 
 def notes_on_numbers(source: Source) -> list[Diagnostic]:
-    """That what stands behind the equations of a source are their numbers."""
+    """Notes that what follows the equations of a source numbers them."""
     notes = []
     for start, end in _numbers_in(source.text):
         number = source.text[start:end].strip(" \t.,;~&|\\")
