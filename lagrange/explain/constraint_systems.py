@@ -5,7 +5,7 @@ Constraints that are not linear in the velocities: reduction to linear ones, Che
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 import sympy as sp
 
@@ -31,6 +31,7 @@ from lagrange.document.derivation import (
 from lagrange.explain.limits import SHOWN_LOSSES
 from lagrange.explain.words import capital, constraints_called, counted, in_words, joined, plural
 from lagrange.mechanics.constraints.classification import Classification, Redundancy
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.degeneracies import RankLoss
 from lagrange.mechanics.constraints.displacements import virtual_displacement
@@ -332,15 +333,9 @@ def together(classification: Classification) -> list[Block]:
     return [prose(words)]
 
 
-def by_chetaev(configuration: Configuration) -> list[Block]:
-    """The virtual displacements of constraints that are not linear in the velocities: a postulate."""
-    rows = [r for r in configuration.rows if r.nonlinear is not None]
-    if not rows:
-        return []
-    of = f"rate-{configuration.name}-" if configuration.name else "constraint-"
-    refs = listed(Ref(f"{of}{r.name}") for r in rows)
-    slots = configuration.slots
-    lines = (
+def virtual_conditions(rows: Iterable[Row], slots: Slots) -> tuple[Equation, ...]:
+    """The equation that each constraint sets for virtual displacements."""
+    return tuple(
         Equation(
             (virtual_displacement(r, slots), sp.S.Zero),
             label=f"virtual-{r.name}",
@@ -349,6 +344,16 @@ def by_chetaev(configuration: Configuration) -> list[Block]:
         )
         for r in rows
     )
+
+
+def by_chetaev(configuration: Configuration) -> list[Block]:
+    """The virtual displacements of constraints that are not linear in the velocities: a postulate."""
+    rows = [r for r in configuration.rows if r.nonlinear is not None]
+    if not rows:
+        return []
+    of = f"rate-{configuration.name}-" if configuration.name else "constraint-"
+    refs = listed(Ref(f"{of}{r.name}") for r in rows)
+    lines = virtual_conditions(rows, configuration.slots)
     return [
         prose(
             "The condition that ", *refs, plural(len(rows), " imposes", " impose"), " on possible displacements is not "

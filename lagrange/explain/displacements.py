@@ -26,7 +26,7 @@ from lagrange.document.derivation import (
     prose,
 )
 from lagrange.explain.bodies import virtual_rotations
-from lagrange.explain.constraint_systems import by_chetaev
+from lagrange.explain.constraint_systems import by_chetaev, virtual_conditions
 from lagrange.explain.limits import LONGEST_DISPLACEMENT
 from lagrange.explain.words import joined, plural, suffix_of, the
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -98,7 +98,6 @@ def _tangent(normals: Sequence[Normal], rows: int) -> list[Block]:
 
 def _subtracted(configuration: Configuration) -> list[Block]:
     """Two possible displacements subtracted."""
-    slots = configuration.slots
     rows = [r for r in configuration.rows if r.nonlinear is None]
     if not rows:
         return []
@@ -110,15 +109,7 @@ def _subtracted(configuration: Configuration) -> list[Block]:
         "same time ", dt, ", from the same position: ", "the terms in " if moving else "", *((dt,) if moving else ()),
         " drop out, and it satisfies" if moving else "it satisfies",
     )  # fmt: skip
-    lines = (
-        Equation(
-            (virtual_displacement(r, slots), sp.S.Zero),
-            label=f"virtual-{r.name}",
-            kind=EquationKind.VIRTUAL,
-            about=r.name,
-        )
-        for r in rows
-    )
+    lines = virtual_conditions(rows, configuration.slots)
     return [prose(*words), display(*lines)]
 
 
